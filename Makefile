@@ -1,0 +1,52 @@
+# make book: set up, derive, check, build the book.   make test: set up, lint, type-check, test.
+# Needs Python 3.11 to 3.13 and make; everything else is installed into .venv from constraints.txt.
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+SHELL := /bin/sh
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+
+.PHONY: help book html test derive check lint types bench clean
+
+help: ## show this list
+	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*## /\t/' | expand -t 10
+
+$(READY): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; v = sys.version_info[:2]; sys.exit(None if (3, 11) <= v <= (3, 13) else "Python 3.11 to 3.13 is needed, this is %d.%d; name one with make PYTHON=..." % v)'
+	@echo "Setting up $(VENV) (once, about a minute)"
+	@$(PYTHON) -m venv --clear $(VENV)
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt setuptools
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-build-isolation -c constraints.txt -e '.[book,test]'
+	@touch $@
+
+derive: $(READY) ## regenerate every emitted file from its derivation
+	@$(BIN)/derivations write
+
+check: $(READY) ## emitted files against the derivations; numbers against every other voice
+	@$(BIN)/derivations check
+	@$(BIN)/granular check
+
+book: check html ## set up, derive, check and build the book
+
+html:
+	@rm -rf book/_build/html book/_build/.doctrees
+	@$(BIN)/jupyter-book build book -n -W --keep-going -q
+	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
+	@echo "The book is built. Open file://$(CURDIR)/book/_build/html/index.html"
+
+lint: $(READY) ## style and strict types
+	@$(BIN)/ruff check .
+	@$(BIN)/mypy
+
+test: lint ## set up, lint, type-check, test
+	@$(BIN)/derivations check
+	@$(BIN)/python -m pytest -n 2 --dist loadfile
+
+bench: $(READY) ## what accuracy costs in time, as ratios measured side by side
+	@$(BIN)/python -m pytest tests/benchmarks -m benchmark -s -q
+
+clean: ## remove everything that can be rebuilt
+	@rm -rf $(VENV) build book/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache *.egg-info
+	@find . -name __pycache__ -type d -prune -exec rm -rf {} +

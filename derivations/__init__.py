@@ -1,0 +1,1 @@
+"""Closed forms of the stiffness of granular assemblies, derived with SymPy and emitted as numeric functions."""

@@ -1,0 +1,64 @@
+"""granular: the elastic stiffness of granular assemblies from the statistics of their contacts.
+
+Names are loaded when first used, so that ``import granular`` costs next to nothing.
+
+>>> import granular
+>>> scene = granular.Scene.model_validate({
+...     "grains": {"shear_modulus": "31 GPa", "poisson_ratio": 0.21},
+...     "packing": {"void_ratio": 0.5744, "coordination_number": 8.6848},
+...     "stress": {"mean": "28 kPa"}})
+>>> round(granular.evaluate(scene).stiffness.C3333 / 1e6, 1)
+556.8
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from granular.array_stiffness import axial_stiffness
+    from granular.elasticity import Compliance, Stiffness
+    from granular.errors import GranularError
+    from granular.evaluate import Evaluation, evaluate
+    from granular.fabric import AxialFabric
+    from granular.hypothesis import Hypothesis
+    from granular.plan import Plan, plan
+    from granular.scene import Scene
+
+__version__ = "0.1.0"
+
+_HOME = {
+    "AxialFabric": "granular.fabric",
+    "Compliance": "granular.elasticity",
+    "Evaluation": "granular.evaluate",
+    "GranularError": "granular.errors",
+    "Hypothesis": "granular.hypothesis",
+    "Plan": "granular.plan",
+    "Scene": "granular.scene",
+    "Stiffness": "granular.elasticity",
+    "axial_stiffness": "granular.array_stiffness",
+    "evaluate": "granular.evaluate",
+    "plan": "granular.plan",
+}
+
+__all__ = [
+    "AxialFabric", "Compliance", "Evaluation", "GranularError", "Hypothesis", "Plan", "Scene", "Stiffness",
+    "axial_stiffness", "evaluate", "plan",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Load a public name from the module that defines it."""
+    try:
+        home = _HOME[name]
+    except KeyError:
+        raise AttributeError(f"module 'granular' has no attribute {name!r}") from None
+    value = getattr(importlib.import_module(home), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """List the public names."""
+    return sorted([*globals(), *_HOME])

@@ -1,0 +1,84 @@
+"""The fabric of a transversely isotropic assembly: contact normals and branch lengths about axis 3."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+from granular.errors import FabricOutOfRange
+
+
+@dataclass(frozen=True, slots=True)
+class AxialFabric:
+    """Contact-normal density and branch-length weight, both axially symmetric about axis 3.
+
+    ``E(n) = (1 + D33 P2(x) + D3333 P4(x)) / (4 pi)`` and ``W(n) = 1 + Dr33 P2(x)`` with ``x = cos(beta)``.
+
+    Parameters
+    ----------
+    D33 : float
+        P2 coefficient of the contact-normal density [-]; -1 <= D33 <= 2 when D3333 = 0.
+    D3333 : float
+        P4 coefficient of the contact-normal density [-]; E must not be negative in any direction.
+    Dr33 : float
+        P2 coefficient of the branch-length weight [-]; -1 < Dr33 < 2, so that every branch has a length.
+
+    Raises
+    ------
+    FabricOutOfRange
+        E would be negative, W would not be positive, or a value is not finite. The region is decided in exact
+        rational arithmetic, so that its boundary belongs to it.
+
+    Notes
+    -----
+    Source: eq. (14) with the weight of Figure 5, and assumption (a) of the parametric study, with the rank-4
+    term added. The admissible region is derived in ``derivations.fabric``.
+    """
+
+    D33: float = 0.0
+    D3333: float = 0.0
+    Dr33: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("D33", "D3333", "Dr33"):
+            value = getattr(self, name)
+            if not math.isfinite(value):
+                raise FabricOutOfRange(f"{name} = {value}", allowed="a finite number is needed",
+                                       remedy=f"Give {name} as a finite number.")
+        self._require_positive_branches()
+        self._require_positive_density()
+
+    def _require_positive_branches(self) -> None:
+        if not -1 < self.Dr33 < 2:
+            raise FabricOutOfRange(f"Dr33 = {self.Dr33!r}",
+                                   allowed="allowed -1 < Dr33 < 2 (the branch length would not be positive)",
+                                   remedy="Give Dr33 strictly inside the interval.")
+
+    def _require_positive_density(self) -> None:
+        if self.D3333 == 0.0:
+            if not -1 <= self.D33 <= 2:
+                raise FabricOutOfRange(f"D33 = {self.D33!r}",
+                                       allowed="allowed -1 <= D33 <= 2 (E(n) would be negative)",
+                                       remedy="Give D33 inside the interval.")
+            return
+        equator, between, pole = self._exact_density()
+        if equator < 0 or pole < 0 or (between < 0 and between**2 > 4 * equator * pole):
+            raise FabricOutOfRange(
+                f"D33 = {self.D33!r} with D3333 = {self.D3333!r}",
+                allowed="allowed only where 1 + D33 P2(x) + D3333 P4(x) >= 0 for all x "
+                f"(its least value would be {self._least_density():.6g})",
+                remedy="Bring D3333 closer to zero, or D33 inside the region drawn on the book's fabric page.")
+
+    def _exact_density(self) -> tuple[Fraction, Fraction, Fraction]:
+        """4 pi E as a form in s = 1 - x^2 and x^2: e0 s^2 + e1 s x^2 + e2 x^4, exactly."""
+        d, q = Fraction(self.D33), Fraction(self.D3333)
+        return 1 - d / 2 + 3 * q / 8, 2 + d / 2 - 3 * q, 1 + d + q
+
+    def _least_density(self) -> float:
+        equator, between, pole = self._exact_density()
+        curvature = equator - between + pole
+        ends = [equator, pole]
+        if curvature > 0 and 0 < (turn := (2 * equator - between) / (2 * curvature)) < 1:
+            ends.append(equator * (1 - turn) ** 2 + between * turn * (1 - turn) + pole * turn**2)
+        return float(min(ends))

@@ -1,0 +1,1 @@
+"""Functions emitted by ``derivations write``; do not edit, change the derivation instead."""

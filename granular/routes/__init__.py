@@ -1,0 +1,1 @@
+"""The ways of computing a stiffness, one file a way."""

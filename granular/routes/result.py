@@ -1,0 +1,29 @@
+"""What every route returns: the six numbers, how good they are, and what they cost."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+COMPONENTS = ("C1111", "C3333", "C1122", "C1133", "C2323", "C1212")
+"""Order of the six components of a transversely isotropic stiffness, everywhere in this package."""
+
+Six = tuple[float, float, float, float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class RouteResult:
+    """Six components by one route.
+
+    Attributes
+    ----------
+    components : tuple of 6 float
+        C1111, C3333, C1122, C1133, C2323, C1212 over (M/V) l_e^2 k_n,ref [-].
+    relative_error : float
+        Declared bound for the worst component, relative to that component [-].
+    evaluations : int
+        Directions in which the integrand was evaluated; 0 for a closed form.
+    """
+
+    components: Six
+    relative_error: float
+    evaluations: int
