@@ -59,7 +59,7 @@ class IndexNotKnown(GranularError):
 
 
 class TensorNotElastic(GranularError):
-    """Numbers that are no stiffness or compliance: not finite, not symmetric, or of the wrong shape or symmetry."""
+    """Numbers that are no stiffness or compliance: not finite, of a wrong shape, or without its symmetry."""
 
     code = "G-ELA-02"
     title = "Not an elastic tensor"
