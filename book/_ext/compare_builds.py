@@ -1,0 +1,39 @@
+"""Compare two built books file by file: ``python compare_builds.py A B`` prints what differs; exit code 1 if any."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+
+def files_below(root: Path) -> dict[str, Path]:
+    """All files of a built book by their path inside it."""
+    return {path.relative_to(root).as_posix(): path for path in sorted(root.rglob("*")) if path.is_file()}
+
+
+def differences(first: Path, second: Path) -> list[str]:
+    """One line for each file that is missing on one side or whose bytes differ."""
+    left, right = files_below(first), files_below(second)
+    found = [f"only in {first}: {name}" for name in left.keys() - right.keys()]
+    found += [f"only in {second}: {name}" for name in right.keys() - left.keys()]
+    found += [f"differs: {name}" for name in left.keys() & right.keys()
+              if left[name].read_bytes() != right[name].read_bytes()]
+    return sorted(found)
+
+
+def main() -> int:
+    """Compare the two folders named on the command line."""
+    if len(sys.argv) != 3:
+        print("usage: compare_builds.py FIRST SECOND", file=sys.stderr)
+        return 2
+    first, second = map(Path, sys.argv[1:])
+    if not files_below(first) or not files_below(second):
+        print(f"nothing built in {first if not files_below(first) else second}", file=sys.stderr)
+        return 2
+    found = differences(first, second)
+    print(*found, f"{len(files_below(first))} files, {len(found)} differ", sep="\n")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,51 @@
+"""Compute the pages with the library beside the book, and again whenever that library changes.
+
+The execution cache of Jupyter Book keys on the text of a page alone, and Sphinx reads a page again only when the
+page itself changed; both would go on showing the numbers of an older library. So a digest of everything that
+decides the numbers is part of the cache's path, and a configuration value whose change makes Sphinx read all pages.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
+    from sphinx.config import Config
+
+WATCHED = (
+    "granular/**/*.py",
+    "granular/**/*.json",
+    "derivations/**/*.py",
+    "book/_data/**/*",
+    "book/_ext/*.py",
+    "constraints.txt",
+)
+
+
+def library_digest(root: Path) -> str:
+    """Digest of the interpreter's version and of the names and contents of all watched files below ``root``."""
+    digest = hashlib.sha256(sys.version.encode())
+    for pattern in WATCHED:
+        for path in sorted(path for path in root.glob(pattern) if path.is_file()):
+            digest.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+    return digest.hexdigest()[:16]
+
+
+def use_library(app: Sphinx, config: Config) -> None:
+    """Point the kernels at the library beside the book, whatever is installed, and key the cache on it."""
+    root = Path(app.srcdir).parent
+    inherited = os.environ.get("PYTHONPATH")
+    os.environ["PYTHONPATH"] = os.pathsep.join([str(root), *([inherited] if inherited else [])])
+    config["library_key"] = library_digest(root)
+    config["nb_execution_cache_path"] = str(Path(app.outdir).parent / ".jupyter_cache" / library_digest(root))
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    app.add_config_value("library_key", "", "env")
+    app.connect("config-inited", use_library)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
