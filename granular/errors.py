@@ -6,6 +6,7 @@ Give a smaller D33.`` The catalogue at the end names every class once; the book 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar
 
 
@@ -20,14 +21,137 @@ class GranularError(ValueError):
         The bound that it broke, e.g. ``"allowed -1 <= D33 <= 2"``.
     remedy : str
         What to do about it, one sentence.
+    more : int
+        How many further mistakes the same input has [-].
     """
 
     code: ClassVar[str] = "G-000"
     title: ClassVar[str] = "Refused"
 
-    def __init__(self, found: str, *, allowed: str, remedy: str) -> None:
-        self.found, self.allowed, self.remedy = found, allowed, remedy
-        super().__init__(f"{type(self).__name__} [{self.code}]: {found}, {allowed}. {remedy}")
+    def __init__(self, found: str, *, allowed: str, remedy: str, more: int = 0) -> None:
+        self.found, self.allowed, self.remedy, self.more = found, allowed, remedy, more
+        others = f" ({more} more {'mistake' if more == 1 else 'mistakes'} in the same input)" if more else ""
+        super().__init__(f"{type(self).__name__} [{self.code}]: {found}, {allowed}. {remedy}{others}")
+
+    def __reduce__(self) -> tuple[Callable[..., GranularError], tuple[object, ...]]:
+        """Survive the way back from a worker process, which rebuilds an exception from its arguments."""
+        return _rebuilt, (type(self), self.found, self.allowed, self.remedy, self.more)
+
+
+def _rebuilt(kind: type[GranularError], found: str, allowed: str, remedy: str, more: int) -> GranularError:
+    return kind(found, allowed=allowed, remedy=remedy, more=more)
+
+
+class FileUnreadable(GranularError):
+    """The file is missing, is a folder, or may not be read."""
+
+    code = "G-INP-01"
+    title = "The file cannot be read"
+
+
+class NotToml(GranularError):
+    """The file is not UTF-8 text in TOML."""
+
+    code = "G-INP-02"
+    title = "The file is not TOML"
+
+
+class FileTooLarge(GranularError):
+    """The file is larger than any scene."""
+
+    code = "G-INP-03"
+    title = "The file is too large"
+
+
+class BadOption(GranularError):
+    """An option of the command line, or its value, is not known."""
+
+    code = "G-INP-04"
+    title = "A command-line option that is not known"
+
+
+class OutputUnwritable(GranularError):
+    """The output file cannot be written, or its kind is not known."""
+
+    code = "G-INP-05"
+    title = "The output cannot be written"
+
+
+class UnitUnknown(GranularError):
+    """A unit that neither the table of common units nor pint knows."""
+
+    code = "G-UNI-01"
+    title = "A unit that is not known"
+
+
+class UnitOfOtherDimension(GranularError):
+    """A unit that measures something else, e.g. kg for a pressure."""
+
+    code = "G-UNI-02"
+    title = "A unit of another dimension"
+
+
+class QuantityUnreadable(GranularError):
+    """A string that is not a number followed by a unit."""
+
+    code = "G-UNI-03"
+    title = "Not a number with a unit"
+
+
+class UnknownKey(GranularError):
+    """The scene has a key that does not exist."""
+
+    code = "G-SCN-01"
+    title = "A key that does not exist"
+
+
+class MissingKey(GranularError):
+    """The scene lacks a key that it needs."""
+
+    code = "G-SCN-02"
+    title = "A key is missing"
+
+
+class WrongType(GranularError):
+    """A string, list, table or truth value stands where something else belongs."""
+
+    code = "G-SCN-03"
+    title = "A value of the wrong type"
+
+
+class ValueOutOfRange(GranularError):
+    """A number outside the interval in which it means something."""
+
+    code = "G-SCN-04"
+    title = "A value outside its range"
+
+
+class UnknownChoice(GranularError):
+    """A word that is not among the choices."""
+
+    code = "G-SCN-05"
+    title = "A word that is not among the choices"
+
+
+class ConflictingKeys(GranularError):
+    """Keys that exclude each other, or that need each other."""
+
+    code = "G-SCN-06"
+    title = "Keys that do not go together"
+
+
+class TensorUnusable(GranularError):
+    """A fabric or stress tensor that is not 3 x 3, not symmetric, or not traceless where it must be."""
+
+    code = "G-SCN-07"
+    title = "A tensor that is not symmetric or not traceless"
+
+
+class SymmetryNotBuilt(GranularError):
+    """A fabric or stress tensor that is not axially symmetric about axis 3."""
+
+    code = "G-SCN-08"
+    title = "A tensor that is not axially symmetric about axis 3"
 
 
 class FabricOutOfRange(GranularError):
@@ -51,71 +175,27 @@ class RouteOutOfDomain(GranularError):
     title = "A route outside its domain"
 
 
-class IndexNotKnown(GranularError):
-    """A component name, or an order of index pairs, that does not exist."""
+class NotFinite(GranularError):
+    """A number that is NaN, infinite, or too large for double precision."""
 
-    code = "G-ELA-01"
-    title = "A component or an index order that does not exist"
-
-
-class TensorNotElastic(GranularError):
-    """Numbers that are no stiffness or compliance: not finite, of a wrong shape, or without its symmetry."""
-
-    code = "G-ELA-02"
-    title = "Not an elastic tensor"
+    code = "G-NUM-01"
+    title = "A number that is not finite"
 
 
-class TensorNotInvertible(GranularError):
-    """A stiffness or compliance that is singular to rounding, so that its inverse means nothing."""
+class ResultOutOfRange(GranularError):
+    """A result that double precision cannot hold with all its digits."""
 
-    code = "G-ELA-03"
-    title = "A singular elastic tensor"
-
-
-class TensorNotPositive(GranularError):
-    """A stiffness that stores no energy in some strain, where a stable solid is needed."""
-
-    code = "G-ELA-04"
-    title = "A stiffness that is not positive definite"
-
-
-class DirectionNotValid(GranularError):
-    """A rotation that is not orthogonal, or an angle that is not a finite number."""
-
-    code = "G-ELA-05"
-    title = "A direction that does not exist"
-
-
-class DensityOutOfRange(GranularError):
-    """A mass density that is not positive, or a void ratio that is negative."""
-
-    code = "G-WAV-01"
-    title = "A density outside its range"
-
-
-class ArrayNotUsable(GranularError):
-    """An array argument that is not numeric, or whose shape does not broadcast with the others."""
-
-    code = "G-ARR-01"
-    title = "An array argument that cannot be used"
-
-
-class FigureNotKnown(GranularError):
-    """A figure, or a file format for it, that does not exist."""
-
-    code = "G-FIG-01"
-    title = "A figure or format that does not exist"
-
-
-class FigureNotWritten(GranularError):
-    """A figure file that could not be written; nothing is left half done."""
-
-    code = "G-FIG-02"
-    title = "A figure that could not be written"
+    code = "G-NUM-02"
+    title = "A result outside double precision"
 
 
 CATALOGUE: tuple[type[GranularError], ...] = (
-    FabricOutOfRange, EffectNotBuilt, RouteOutOfDomain,
-    IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,
-    DensityOutOfRange, ArrayNotUsable, FigureNotKnown, FigureNotWritten,
+    FileUnreadable, NotToml, FileTooLarge, BadOption, OutputUnwritable,
+    UnitUnknown, UnitOfOtherDimension, QuantityUnreadable,
+    UnknownKey, MissingKey, WrongType, ValueOutOfRange, UnknownChoice, ConflictingKeys, TensorUnusable,
+    SymmetryNotBuilt,
+    FabricOutOfRange,
+    EffectNotBuilt,
+    RouteOutOfDomain,
+    NotFinite, ResultOutOfRange,
 )
