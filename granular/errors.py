@@ -70,13 +70,6 @@ class BadOption(GranularError):
     title = "A command-line option that is not known"
 
 
-class OutputUnwritable(GranularError):
-    """The output file cannot be written, or its kind is not known."""
-
-    code = "G-INP-05"
-    title = "The output cannot be written"
-
-
 class UnitUnknown(GranularError):
     """A unit that neither the table of common units nor pint knows."""
 
@@ -175,6 +168,69 @@ class RouteOutOfDomain(GranularError):
     title = "A route outside its domain"
 
 
+class IndexNotKnown(GranularError):
+    """A component name, or an order of index pairs, that does not exist."""
+
+    code = "G-ELA-01"
+    title = "A component or an index order that does not exist"
+
+
+class TensorNotElastic(GranularError):
+    """Numbers that are no stiffness or compliance: not finite, of a wrong shape, or without its symmetry."""
+
+    code = "G-ELA-02"
+    title = "Not an elastic tensor"
+
+
+class TensorNotInvertible(GranularError):
+    """A stiffness or compliance that is singular to rounding, so that its inverse means nothing."""
+
+    code = "G-ELA-03"
+    title = "A singular elastic tensor"
+
+
+class TensorNotPositive(GranularError):
+    """A stiffness that stores no energy in some strain, where a stable solid is needed."""
+
+    code = "G-ELA-04"
+    title = "A stiffness that is not positive definite"
+
+
+class DirectionNotValid(GranularError):
+    """A rotation that is not orthogonal, or an angle that is not a finite number."""
+
+    code = "G-ELA-05"
+    title = "A direction that does not exist"
+
+
+class DensityOutOfRange(GranularError):
+    """A mass density that is not positive, or a void ratio that is negative."""
+
+    code = "G-WAV-01"
+    title = "A density outside its range"
+
+
+class ArrayNotUsable(GranularError):
+    """An array argument that is not numeric, or whose shape does not broadcast with the others."""
+
+    code = "G-ARR-01"
+    title = "An array argument that cannot be used"
+
+
+class FigureNotKnown(GranularError):
+    """A figure, or a file format for it, that does not exist."""
+
+    code = "G-FIG-01"
+    title = "A figure or format that does not exist"
+
+
+class FigureNotWritten(GranularError):
+    """A figure file that could not be written; nothing is left half done."""
+
+    code = "G-FIG-02"
+    title = "A figure that could not be written"
+
+
 class NotFinite(GranularError):
     """A number that is NaN, infinite, or too large for double precision."""
 
@@ -190,12 +246,14 @@ class ResultOutOfRange(GranularError):
 
 
 CATALOGUE: tuple[type[GranularError], ...] = (
-    FileUnreadable, NotToml, FileTooLarge, BadOption, OutputUnwritable,
+    FileUnreadable, NotToml, FileTooLarge, BadOption,
     UnitUnknown, UnitOfOtherDimension, QuantityUnreadable,
     UnknownKey, MissingKey, WrongType, ValueOutOfRange, UnknownChoice, ConflictingKeys, TensorUnusable,
     SymmetryNotBuilt,
     FabricOutOfRange,
     EffectNotBuilt,
     RouteOutOfDomain,
+    IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,
+    DensityOutOfRange, ArrayNotUsable, FigureNotKnown, FigureNotWritten,
     NotFinite, ResultOutOfRange,
 )
