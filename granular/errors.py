@@ -168,6 +168,13 @@ class RouteOutOfDomain(GranularError):
     title = "A route outside its domain"
 
 
+class CertifiedArithmeticMissing(GranularError):
+    """The route in ball arithmetic was named, and the library that does it is not installed."""
+
+    code = "G-RTE-02"
+    title = "Ball arithmetic is not installed"
+
+
 class IndexNotKnown(GranularError):
     """A component name, or an order of index pairs, that does not exist."""
 
@@ -252,7 +259,7 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     SymmetryNotBuilt,
     FabricOutOfRange,
     EffectNotBuilt,
-    RouteOutOfDomain,
+    RouteOutOfDomain, CertifiedArithmeticMissing,
     IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,
     DensityOutOfRange, ArrayNotUsable, FigureNotKnown, FigureNotWritten,
     NotFinite, ResultOutOfRange,
