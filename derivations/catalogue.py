@@ -1,0 +1,44 @@
+"""The derivations there are, in the order in which they build on one another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from derivations.engineering import engineering, isotropic
+from derivations.equations import equations
+from derivations.fabric import fabric
+from derivations.kinematic import kinematic_constant, kinematic_three
+from derivations.record import Derivation
+from derivations.static import static_constant, static_three
+from derivations.waves import waves
+
+CATALOGUE: tuple[Callable[[], Derivation], ...] = (
+    fabric,
+    equations,
+    kinematic_constant,
+    kinematic_three,
+    static_constant,
+    static_three,
+    isotropic,
+    engineering,
+    waves,
+)
+
+
+def names() -> tuple[str, ...]:
+    """Names of all derivations."""
+    return tuple(build.__name__ for build in CATALOGUE)
+
+
+def derivation(name: str) -> Derivation:
+    """Build one derivation by name.
+
+    Raises
+    ------
+    KeyError
+        There is no derivation of that name; the message lists those there are.
+    """
+    for build in CATALOGUE:
+        if build.__name__ == name:
+            return build()
+    raise KeyError(f"no derivation {name!r}; there are {', '.join(names())}")

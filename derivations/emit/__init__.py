@@ -1,0 +1,1 @@
+"""From records to text: one printer a target; nothing here knows any physics."""

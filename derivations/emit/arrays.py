@@ -1,0 +1,45 @@
+"""Print a derivation as a module of NumPy functions: the same arithmetic on arrays of any broadcastable shapes."""
+
+from __future__ import annotations
+
+from derivations.emit.module import (
+    all_series, assignments, chained_body, coefficient_table, docstring, end_to_end, end_to_end_operations, header,
+)
+from derivations.record import Derivation, Function
+
+POLYNOMIAL = '''\
+def polynomial(coefficients: tuple[float, ...], v: Array) -> Array:
+    """Evaluate a polynomial by Horner's rule for every element at once, coefficients in rising order."""
+    total = np.zeros_like(v)
+    for coefficient in reversed(coefficients):
+        total *= v
+        total += coefficient
+    return total
+'''
+
+
+def array_module(derivation: Derivation) -> str:
+    """Return the text of ``granular/generated/NAME_array.py``."""
+    series = all_series(derivation)
+    bodies = [_function(function, assignments(function), function.operations()) for function in derivation.functions]
+    whole = end_to_end(derivation)
+    if whole is not None:
+        bodies.append(_function(whole, chained_body(derivation), end_to_end_operations(derivation)))
+    typing = "from typing import Final, TypeAlias" if series else "from typing import TypeAlias"
+    imports = ["from __future__ import annotations\n", typing + "\n", "import numpy as np", "import numpy.typing as npt"]
+    if any("sqrt(" in body for body in bodies):
+        imports.append("from numpy import sqrt")
+    imports.append("\nArray: TypeAlias = npt.NDArray[np.float64]")
+    parts = [header(derivation, "functions of arrays"), "\n".join(imports) + "\n"]
+    parts += [coefficient_table(one) for one in series]
+    blocks = [*([POLYNOMIAL] if series else []), *bodies]
+    return "\n".join(parts) + "\n\n" + "\n\n".join(blocks)
+
+
+def _function(function: Function, body: str, operations: int) -> str:
+    arguments = ", ".join(f"{a.name}: Array" for a in function.arguments)
+    returns = ", ".join(["Array"] * len(function.returns))
+    signature = f"def {function.name}({arguments}) -> tuple[{returns}]:"
+    if len(signature) > 110:
+        signature = f"def {function.name}(\n    {arguments},\n) -> tuple[{returns}]:"
+    return f"{signature}\n{docstring(function, '(...) array', operations)}\n{body}\n"

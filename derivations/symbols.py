@@ -1,0 +1,130 @@
+"""Every symbol of the derivations, declared once: name, LaTeX, unit, domain and meaning."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What a symbol stands for.
+
+    Attributes
+    ----------
+    symbol : sympy.Symbol
+        The symbol used in every derivation.
+    latex : str
+        How it is typeset.
+    unit : str
+        SI unit, ``-`` for a pure number.
+    domain : str
+        Values that it may take.
+    meaning : str
+        What it measures.
+    """
+
+    symbol: sp.Symbol
+    latex: str
+    unit: str
+    domain: str
+    meaning: str
+
+
+# Directions: beta is measured from axis 3, alpha about it.
+x = sp.Symbol("x", real=True)
+s = sp.Symbol("s", nonnegative=True)
+y = sp.Symbol("y", nonnegative=True)
+sin_beta = sp.Symbol("sin_beta", nonnegative=True)
+cos_alpha, sin_alpha = sp.symbols("cos_alpha sin_alpha", real=True)
+
+# Fabric.
+D33, D3333, Dr33 = sp.symbols("D33 D3333 Dr33", real=True)
+e0, e1, e2 = sp.symbols("e0 e1 e2", real=True)
+w0, w1 = sp.symbols("w0 w1", positive=True)
+N11, N33 = sp.symbols("N11 N33", positive=True)
+v = sp.Symbol("v", real=True)
+
+# Contacts.
+kn, ks, kt, kr = sp.symbols("kn ks kt kr", positive=True)
+nu = sp.Symbol("nu", nonnegative=True)
+lam = sp.Symbol("lam", positive=True)
+one_minus_lam = sp.Symbol("one_minus_lam", nonnegative=True)
+
+# Moments.
+m0, m1, m2 = sp.symbols("m0 m1 m2", positive=True)
+p0, p1, p2 = sp.symbols("p0 p1 p2", positive=True)
+
+# Elasticity.
+C1111, C3333, C2323, C1212 = sp.symbols("C1111 C3333 C2323 C1212", positive=True)
+C1122, C1133 = sp.symbols("C1122 C1133", real=True)
+S1111, S3333, S2323, S1212 = sp.symbols("S1111 S3333 S2323 S1212", positive=True)
+S1122, S1133 = sp.symbols("S1122 S1133", real=True)
+density = sp.Symbol("density", positive=True)
+cos_squared = sp.Symbol("cos_squared", nonnegative=True)
+
+STIFFNESS = (C1111, C3333, C1122, C1133, C2323, C1212)
+COMPLIANCE = (S1111, S3333, S1122, S1133, S2323, S1212)
+POWER_MOMENTS = (m0, m1, m2)
+POSITIVE_MOMENTS = (p0, p1, p2)
+
+GLOSSARY: tuple[Quantity, ...] = (
+    Quantity(x, r"x", "-", "-1 to 1", "cosine of the angle from axis 3"),
+    Quantity(s, r"s", "-", "0 to 1", "1 - x^2, squared sine of the angle from axis 3"),
+    Quantity(y, r"y", "-", "0 to 1", "x^2, squared cosine of the angle from axis 3"),
+    Quantity(sin_beta, r"\sin\beta", "-", "0 to 1", "sine of the angle from axis 3"),
+    Quantity(cos_alpha, r"\cos\alpha", "-", "-1 to 1", "cosine of the azimuth about axis 3"),
+    Quantity(sin_alpha, r"\sin\alpha", "-", "-1 to 1", "sine of the azimuth about axis 3"),
+    Quantity(D33, r"D_{33}", "-", "-1 to 2 when D_{3333} = 0", "P2 coefficient of the contact-normal density"),
+    Quantity(D3333, r"D_{3333}", "-", "where E is nowhere negative", "P4 coefficient of the contact-normal density"),
+    Quantity(Dr33, r"D^{r}_{33}", "-", "-1 to 2, ends excluded", "P2 coefficient of the branch-length weight"),
+    Quantity(e0, r"e_0", "-", ">= 0", "contact-normal density at the equator, over that of an isotropic packing"),
+    Quantity(e1, r"e_1", "-", ">= -2 sqrt(e_0 e_2)", "middle coefficient of the contact-normal density"),
+    Quantity(e2, r"e_2", "-", ">= 0", "contact-normal density at the pole, over that of an isotropic packing"),
+    Quantity(w0, r"w_0", "-", "> 0", "branch-length weight at the equator"),
+    Quantity(w1, r"w_1", "-", "> 0", "branch-length weight at the pole"),
+    Quantity(N11, r"N_{11}", "-", "1/5 to 2/5", "horizontal component of the mean of n_i n_j"),
+    Quantity(N33, r"N_{33}", "-", "1/5 to 3/5", "vertical component of the mean of n_i n_j"),
+    Quantity(v, r"v", "-", "-1 to 1", "contrast of the branch-length weight, (sqrt(w1) - sqrt(w0))/(sqrt(w1) + sqrt(w0))"),
+    Quantity(kn, r"k_n", "N/m", "> 0", "normal contact stiffness"),
+    Quantity(ks, r"k_s", "N/m", "> 0", "tangential contact stiffness along the meridian"),
+    Quantity(kt, r"k_t", "N/m", "> 0", "tangential contact stiffness along the parallel"),
+    Quantity(kr, r"k_r", "N/m", "> 0", "tangential contact stiffness when it is the same in all directions"),
+    Quantity(nu, r"\nu", "-", "0 to 1/2", "Poisson's ratio of the grain material"),
+    Quantity(lam, r"\lambda", "-", "2/3 to 1", "tangential over normal contact stiffness without slip"),
+    Quantity(one_minus_lam, r"\bar\lambda", "-", "0 to 1/3", "1 - lambda, entered as nu/(2 - nu)"),
+    Quantity(m0, r"m_0", "-", "> 0", "moment <rho> of the weight rho"),
+    Quantity(m1, r"m_1", "-", "> 0", "moment <rho x^2> of the weight rho"),
+    Quantity(m2, r"m_2", "-", "> 0", "moment <rho x^4> of the weight rho"),
+    Quantity(p0, r"p_0", "-", "> 0", "positive moment <rho s^2>"),
+    Quantity(p1, r"p_1", "-", "> 0", "positive moment <rho s x^2>"),
+    Quantity(p2, r"p_2", "-", "> 0", "positive moment <rho x^4>"),
+    *(Quantity(c, rf"C_{{{c.name[1:]}}}", "Pa", "positive definite", f"stiffness component {c.name[1:]}")
+      for c in STIFFNESS),
+    *(Quantity(c, rf"S_{{{c.name[1:]}}}", "1/Pa", "positive definite", f"compliance component {c.name[1:]}")
+      for c in COMPLIANCE),
+    Quantity(density, r"\rho", "kg/m^3", "> 0", "bulk density of the assembly"),
+    Quantity(cos_squared, r"\cos^2\theta", "-", "0 to 1", "squared cosine of the angle of propagation from axis 3"),
+)
+
+LATEX = {quantity.symbol: quantity.latex for quantity in GLOSSARY}
+
+
+def describe(symbol: sp.Symbol) -> Quantity:
+    """Look up what a symbol stands for.
+
+    Raises
+    ------
+    KeyError
+        The symbol is not declared in :data:`GLOSSARY`.
+    """
+    for quantity in GLOSSARY:
+        if quantity.symbol == symbol:
+            return quantity
+    raise KeyError(f"{symbol} is not declared in derivations.symbols; add it to GLOSSARY")
+
+
+def latex(expression: sp.Basic) -> str:
+    """Typeset an expression with the declared LaTeX of every symbol."""
+    return str(sp.latex(expression, symbol_names=LATEX, fold_short_frac=False))

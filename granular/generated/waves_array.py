@@ -1,0 +1,95 @@
+"""Wave speeds of a transversely isotropic assembly: functions of arrays.
+
+Emitted by ``derivations write`` from the derivation ``waves``; do not edit.
+Source: text below Table II of Pan & Dong (1999).
+Domain: positive definite stiffness; C3333 > C2323 for delta; 0 <= cos^2 <= 1.
+Operations: 73 (86 in the outputs as derived).
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+from numpy import sqrt
+
+Array: TypeAlias = npt.NDArray[np.float64]
+
+
+def phase_velocities(
+    C1111: Array, C3333: Array, C1133: Array, C2323: Array, C1212: Array, density: Array, cos_squared: Array,
+) -> tuple[Array, Array, Array]:
+    """Phase speeds of the P, SV and SH waves in m/s.
+
+    v_P is the faster of the two waves polarised in the plane of axis 3, v_SV the slower.
+
+    Parameters
+    ----------
+    C1111 : (...) array [Pa]
+        Stiffness component 1111.
+    C3333 : (...) array [Pa]
+        Stiffness component 3333.
+    C1133 : (...) array [Pa]
+        Stiffness component 1133.
+    C2323 : (...) array [Pa]
+        Stiffness component 2323.
+    C1212 : (...) array [Pa]
+        Stiffness component 1212.
+    density : (...) array [kg/m^3]
+        Bulk density of the assembly.
+    cos_squared : (...) array [-]
+        Squared cosine of the angle of propagation from axis 3.
+
+    Returns
+    -------
+    v_P : (...) array [-]
+    v_SV : (...) array [-]
+    v_SH : (...) array [-]
+
+    Operations: 58.
+    """
+    sin_squared = 1 - cos_squared
+    half_sum = C1111*sin_squared/2 + C2323/2 + C3333*cos_squared/2
+    half_difference = -cos_squared*(-C2323 + C3333)/2 + sin_squared*(C1111 - C2323)/2
+    coupling = cos_squared*sin_squared*(C1133 + C2323)**2
+    root = sqrt(coupling + half_difference*half_difference)
+    fast = half_sum + root
+    bracket = C2323*(C1111*sin_squared*sin_squared + C3333*cos_squared*cos_squared) + cos_squared*sin_squared*(C1111*C3333 - C1133*C1133 - 2*C1133*C2323)
+    slow = bracket/fast
+    v_P = sqrt(fast)/sqrt(density)
+    v_SV = sqrt(slow)/sqrt(density)
+    v_SH = sqrt(C1212*sin_squared + C2323*cos_squared)/sqrt(density)
+    return v_P, v_SV, v_SH
+
+
+def thomsen(
+    C1111: Array, C3333: Array, C1133: Array, C2323: Array, C1212: Array,
+) -> tuple[Array, Array, Array]:
+    """Thomsen's epsilon, gamma and delta.
+
+    Parameters
+    ----------
+    C1111 : (...) array [Pa]
+        Stiffness component 1111.
+    C3333 : (...) array [Pa]
+        Stiffness component 3333.
+    C1133 : (...) array [Pa]
+        Stiffness component 1133.
+    C2323 : (...) array [Pa]
+        Stiffness component 2323.
+    C1212 : (...) array [Pa]
+        Stiffness component 1212.
+
+    Returns
+    -------
+    epsilon : (...) array [-]
+    gamma : (...) array [-]
+    delta : (...) array [-]
+
+    Operations: 15.
+    """
+    epsilon = (C1111 - C3333)/(2*C3333)
+    gamma = (C1212 - C2323)/(2*C2323)
+    delta = (C1133 + C3333)*(C1133 + 2*C2323 - C3333)/(2*C3333*(-C2323 + C3333))
+    return epsilon, gamma, delta
