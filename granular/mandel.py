@@ -152,6 +152,31 @@ def six_of(rows: Rows) -> Six:
     return rows[0][0], rows[2][2], rows[0][1], rows[0][2], rows[3][3] / 2, rows[5][5] / 2
 
 
+def size_of(values: Iterable[float]) -> float:
+    """Power of two next above the largest size, to divide by before products that could overflow or vanish.
+
+    Parameters
+    ----------
+    values : floats
+        Any unit; not all zero.
+
+    Returns
+    -------
+    float
+        A power of two, same unit: dividing by it costs no digit.
+
+    Notes
+    -----
+    Source: IEEE 754 arithmetic.
+
+    Examples
+    --------
+    >>> size_of((3.0, -5.0))
+    8.0
+    """
+    return math.ldexp(1.0, min(math.frexp(max(map(abs, values)))[1], 1023))
+
+
 def is_axial(rows: Rows) -> bool:
     """Tell whether all 36 entries follow from six, to rounding.
 
