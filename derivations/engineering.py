@@ -8,7 +8,20 @@ from derivations.kinematic import isotropic_moments, positive_components
 from derivations.record import Claim, Derivation, Function, Output, Step
 from derivations.static import positive_stiffness
 from derivations.symbols import (
-    C1111, C1122, C1133, C1212, C2323, C3333, N11, N33, STIFFNESS, kn, kr, lam, latex, one_minus_lam,
+    C1111,
+    C1122,
+    C1133,
+    C1212,
+    C2323,
+    C3333,
+    N11,
+    N33,
+    STIFFNESS,
+    kn,
+    kr,
+    lam,
+    latex,
+    one_minus_lam,
 )
 
 E1, E3, G23, G12, K = sp.symbols("E1 E3 G23 G12 K", positive=True)
@@ -70,6 +83,12 @@ def isotropic_engineering() -> dict[str, tuple[sp.Expr, sp.Expr]]:
             for name, (bulk, shear) in isotropic_values().items()}
 
 
+def _moduli(stiffness: tuple[sp.Expr, sp.Expr], young: tuple[sp.Expr, sp.Expr]) -> tuple[str, ...]:
+    """K, G, E over a = M l_e^2/V, and Poisson's ratio, as one line of formulas."""
+    names = (r"\frac{K}{a}", r"\frac{G}{a}", r"\frac{E}{a}", r"\nu_{\mathrm{assembly}}")
+    return (r",\quad ".join(f"{name} = {latex(value)}" for name, value in zip(names, (*stiffness, *young), strict=True)),)
+
+
 def isotropic() -> Derivation:
     """Derive K, G, E and nu of an isotropic assembly by both hypotheses."""
     values, further = isotropic_values(), isotropic_engineering()
@@ -81,18 +100,16 @@ def isotropic() -> Derivation:
     steps = (
         Step("Kinematic hypothesis",
              "With the isotropic moments the six components satisfy the three conditions of isotropy.",
-             (rf"\frac{{K}}{{a}} = {latex(values['kinematic'][0])},\quad \frac{{G}}{{a}} = {latex(values['kinematic'][1])},"
-              rf"\quad \frac{{E}}{{a}} = {latex(further['kinematic'][0])},\quad \nu = {latex(further['kinematic'][1])}",),
+             _moduli(values["kinematic"], further["kinematic"]),
              (*(Claim(a, b) for a, b in zip(values["kinematic"], printed_kinematic, strict=True)),
-              Claim(c1111, c3333), Claim(c1122, c1133), Claim(c2323, c1212))),
+              Claim(c1111, c3333), Claim(c1122, c1133), Claim(c2323, c1212)), result=True),
         Step("Static hypothesis",
              "The inverse of the static compliance gives the same bulk modulus and a smaller shear modulus.",
-             (rf"\frac{{K}}{{a}} = {latex(values['static'][0])},\quad \frac{{G}}{{a}} = {latex(values['static'][1])},"
-              rf"\quad \frac{{E}}{{a}} = {latex(further['static'][0])},\quad \nu = {latex(further['static'][1])}",),
+             _moduli(values["static"], further["static"]),
              tuple(Claim(sp.cancel(a - b), sp.Integer(0))
-                   for a, b in zip(values["static"], printed_static, strict=True))),
+                   for a, b in zip(values["static"], printed_static, strict=True)), result=True),
         Step("Distance between the two",
-             "The difference of the shear moduli is a square: both agree only when k_r = k_n.",
+             "The difference of the shear moduli is a square: both agree only when $k_r = k_n$.",
              (rf"\frac{{G_{{kin}} - G_{{sta}}}}{{a}} = "
               rf"{latex(sp.factor(values['kinematic'][1] - values['static'][1]))}",),
              (Claim(sp.cancel((values["kinematic"][1] - values["static"][1]) * 5 * (3 * kn + 2 * kr)
@@ -116,9 +133,10 @@ def engineering() -> Derivation:
     emitted = engineering_function().substituted()
     steps = (
         Step("Pull along one axis, press on all",
-             "Inverting the stretching block gives the strains under a pull along axis 1 or 3 and under equal pressure.",
+             "Inverting the stretching block gives the strains under a pull along axis 1 or 3 and under pressure.",
              tuple(f"{latex(n)} = {latex(e)}" for n, e in zip(CONSTANTS, values, strict=True)),
-             tuple(Claim(sp.cancel(emitted[n] - e), sp.Integer(0)) for n, e in zip(CONSTANTS, values, strict=True))),
+             tuple(Claim(sp.cancel(emitted[n] - e), sp.Integer(0)) for n, e in zip(CONSTANTS, values, strict=True)),
+             result=True),
         Step("Symmetry of the compliance",
              "The two Poisson's ratios that couple axes 1 and 3 are not independent.",
              (r"\nu_{13}/E_1 = \nu_{31}/E_3",),

@@ -6,7 +6,7 @@ import sympy as sp
 
 from derivations import contact
 from derivations.record import Claim, Derivation, Output, Step
-from derivations.symbols import x
+from derivations.symbols import cos_alpha, sin_alpha, sin_beta, x
 
 length, mean_length, weight, radius = sp.symbols("ell ell_e W r", positive=True)
 number, volume = sp.symbols("M V", positive=True)
@@ -18,7 +18,7 @@ def _one_contact(i: int, j: int, k: int, m: int, branch: sp.Matrix) -> sp.Expr:
 
 def _reversed(expression: sp.Expr) -> sp.Expr:
     """The same contact seen from its other grain: n -> -n, s -> s, t -> -t."""
-    alpha_turn = {contact.cos_alpha: -contact.cos_alpha, contact.sin_alpha: -contact.sin_alpha}
+    alpha_turn = {cos_alpha: -cos_alpha, sin_alpha: -sin_alpha}
     return expression.subs(alpha_turn, simultaneous=True).subs(x, -x)
 
 
@@ -31,41 +31,41 @@ def equations() -> Derivation:
     variable = sp.Symbol("ell", positive=True)
     steps = (
         Step("Energy of a strained assembly, eq. (1)",
-             "Under uniform strain the two grains of a contact part by epsilon_ij times the branch vector. Equating "
-             "the work of the mean stress in V with the work of the M contact forces gives a sum over contacts; the "
-             "branch vector enters once from the displacement and once from the stress.",
-             (r"C_{ijkl} = \frac{1}{V}\sum_{c=1}^{M} \ell^c_i\,k^c_{jl}\,\ell^c_k",)),
+             r"Under uniform strain the two grains of a contact part by $\varepsilon_{ij}$ times the branch vector. "
+             "Equating the work of the mean stress in $V$ with the work of the $M$ contact forces gives a sum over "
+             "contacts; the branch vector enters once from the displacement and once from the stress.",
+             (r"C_{ijkl} = \frac{1}{V}\sum_{c=1}^{M} \ell^c_i\,k^c_{jl}\,\ell^c_k",), result=True),
         Step("One contact, eq. (2)",
-             "The contact is elastic along its normal and along two tangents. Since n, s, t are orthonormal, the "
+             "The contact is elastic along its normal and along two tangents. Since $n$, $s$, $t$ are orthonormal, the "
              "inverse has the same dyads with reciprocal coefficients.",
              (r"k_{jl} = k_n n_jn_l + k_s s_js_l + k_t t_jt_l",),
              tuple(Claim(sp.simplify(entry_), sp.Integer(int(i == j)))
                    for i in range(3) for j in range(3)
-                   for entry_ in [_unit(contact.stiffness() * contact.compliance())[i, j]])),
+                   for entry_ in [_unit(contact.stiffness() * contact.compliance())[i, j]]), result=True),
         Step("Equal spheres, eq. (3)",
              "In an ideal assembly the branch vector is the contact normal times twice the radius.",
              (r"C_{ijkl} = \frac{4r^2}{V}\sum_{c=1}^{M} n^c_i\,k^c_{jl}\,n^c_k",),
-             (Claim(ideal, 4 * radius**2 * _one_contact(*entry, n)),)),
+             (Claim(ideal, 4 * radius**2 * _one_contact(*entry, n)),), result=True),
         Step("Many contacts, eq. (4)",
-             "With many contacts the sum over contacts becomes 2M times an average over directions, where E counts "
-             "every contact twice, once along n and once along -n; hence the factor 1/2. The summand does not "
-             "change when n is reversed, so counting both ends is harmless.",
+             "With many contacts the sum becomes $2M$ times an average over directions, where $E$ counts every contact "
+             "twice, once along $n$ and once along $-n$; hence the factor 1/2. The summand does not change when $n$ is "
+             "reversed, so counting both ends is harmless.",
              (r"C_{ijkl} = \frac12\,\frac{4r^2}{V}\,(2M)\int_\Omega n_i\,k_{jl}\,n_k\,E(n)\,\mathrm{d}\Omega",),
-             (Claim(_reversed(_one_contact(*entry, n)), _one_contact(*entry, n)),)),
+             (Claim(_reversed(_one_contact(*entry, n)), _one_contact(*entry, n)),), result=True),
         Step("Branch lengths, eq. (7)",
-             "When lengths vary, the contacts of one direction are split by length with density g(l). For branch "
+             r"When lengths vary, the contacts of one direction are split by length with density $g(\ell)$. For branch "
              "vectors along the contact normals the deviation tensor is the identity and drops out, and the length "
              "enters through its mean square alone.",
              (r"C_{ijkl} = \frac{M}{V}\int_\Omega\left[\int g(\ell)\,\ell^2\,\mathrm{d}\ell\right] "
               r"n_i\,k_{jl}\,n_k\,E(n)\,\mathrm{d}\Omega",),
-             (Claim(general, length**2 * _one_contact(*entry, n)),)),
+             (Claim(general, length**2 * _one_contact(*entry, n)),), result=True),
         Step("One length for each direction",
-             "For a mono-sized assembly g is a Dirac delta at l_e W(n), which leaves the weight E W^2.",
+             r"For a mono-sized assembly $g$ is a Dirac delta at $\ell_e W(n)$, which leaves the weight $E W^2$.",
              (r"C_{ijkl} = \frac{M}{V}\,\ell_e^2\int_\Omega W^2(n)\,n_i\,k_{jl}\,n_k\,E(n)\,\mathrm{d}\Omega",),
              (Claim(sp.integrate(sp.DiracDelta(variable - mean_length * weight) * variable**2, (variable, 0, sp.oo)),
                     mean_length**2 * weight**2),)),
         Step("Back to eq. (4)",
-             "With W = 1 and l_e = 2r the assembly is ideal again.",
+             r"With $W = 1$ and $\ell_e = 2r$ the assembly is ideal again.",
              (r"W = 1,\ \ell_e = 2r:\quad \frac{M}{V}\,\ell_e^2 = \frac12\,\frac{4r^2}{V}\,(2M)",),
              (Claim((number / volume * mean_length**2 * weight**2).subs({weight: 1, mean_length: 2 * radius}),
                     4 * radius**2 / volume * 2 * number / 2),)),
@@ -87,5 +87,5 @@ def equations() -> Derivation:
 
 def _unit(matrix: sp.Matrix) -> sp.Matrix:
     """Use sin^2 = 1 - cos^2 for both angles."""
-    pythagoras = {contact.sin_beta: sp.sqrt(1 - x**2), contact.sin_alpha: sp.sqrt(1 - contact.cos_alpha**2)}
+    pythagoras = {sin_beta: sp.sqrt(1 - x**2), sin_alpha: sp.sqrt(1 - cos_alpha**2)}
     return matrix.subs(pythagoras).applyfunc(sp.expand)

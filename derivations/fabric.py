@@ -64,44 +64,46 @@ def fabric() -> Derivation:
     steps = (
         Step("Density of contact normals",
              "A density that is even, axially symmetric about axis 3 and of rank four at most has two coefficients. "
-             "Its mean over the sphere is one, whatever they are, because P2 and P4 average to zero.",
+             "Its mean over the sphere is one, whatever they are, because $P_2$ and $P_4$ average to zero.",
              (rf"4\pi E = 1 + {latex(D33)} P_2(x) + {latex(D3333)} P_4(x)",),
              (Claim(axial_mean(density_form().subs(to_coefficients)), sp.Integer(1)),)),
         Step("Positive form",
-             "With s = 1 - x^2 and y = x^2 the density is a quadratic form in s and y. Its end coefficients are the "
-             "density at the equator and at the pole.",
+             "With $s = 1 - x^2$ and $y = x^2$ the density is a quadratic form in $s$ and $y$. Its end coefficients "
+             "are the density at the equator and at the pole.",
              (rf"4\pi E = {latex(density_form())}", *(f"{latex(k)} = {latex(c)}" for k, c in to_coefficients.items())),
              (Claim(density_form().subs(to_coefficients).subs(s, 1 - y).subs(y, x**2), DENSITY),
-              Claim(to_coefficients[e0], DENSITY.subs(x, 0)), Claim(to_coefficients[e2], DENSITY.subs(x, 1)))),
+              Claim(to_coefficients[e0], DENSITY.subs(x, 0)), Claim(to_coefficients[e2], DENSITY.subs(x, 1))),
+             result=True),
         Step("Least density between equator and pole",
-             "As a function of y on [0, 1] the density is a parabola. It turns inside only where it is convex and the "
-             "turning point lies between 0 and 1; its value there is",
+             "As a function of $y$ on $[0, 1]$ the density is a parabola. It has its least value inside only where it "
+             "is convex and turns between 0 and 1; there it is",
              (rf"4\pi E_{{\min}} = {latex(sp.factor(sp.together(least)))}",),
              (Claim(sp.diff(in_y, y).subs(y, turn), sp.Integer(0)),
               Claim(in_y.subs(y, turn), least),
               Claim(least * 4 * curvature, 4 * e0 * e2 - e1**2))),
         Step("Admissible region",
              "Hence the density is nowhere negative exactly when both ends are non-negative and the middle coefficient "
-             "is not below -2 sqrt(e0 e2). Without a rank-four part the parabola is a straight line and the ends decide.",
+             r"is not below $-2\sqrt{e_0e_2}$. Without a rank-four part the parabola is a straight line and the ends "
+             "decide.",
              (rf"{latex(e0)} \ge 0,\quad {latex(e2)} \ge 0,\quad {latex(e1)} \ge -2\sqrt{{{latex(e0)}{latex(e2)}}}",
               rf"{latex(D3333)} = 0:\quad -1 \le {latex(D33)} \le 2"),
              (Claim(admissible_rank_2(), sp.Interval(-1, 2)),
-              Claim((DENSITY_FORM[0] - DENSITY_FORM[1] + DENSITY_FORM[2]).subs(D3333, 0), sp.Integer(0)))),
+              Claim((DENSITY_FORM[0] - DENSITY_FORM[1] + DENSITY_FORM[2]).subs(D3333, 0), sp.Integer(0))), result=True),
         Step("Branch length",
              "The branch-length weight has one coefficient; every branch has a length only inside an open interval.",
              (rf"W = 1 + {latex(Dr33)} P_2(x) = {latex(branch_form())}",
               *(f"{latex(k)} = {latex(c)}" for k, c in zip((w0, w1), BRANCH_FORM, strict=True)),
               rf"-1 < {latex(Dr33)} < 2"),
              (Claim(branch_form().subs({w0: BRANCH_FORM[0], w1: BRANCH_FORM[1]}).subs(s, 1 - y).subs(y, x**2), BRANCH),
-              Claim(admissible_branch(), sp.Interval.open(-1, 2)))),
+              Claim(admissible_branch(), sp.Interval.open(-1, 2))), result=True),
         Step("Fabric tensor",
-             "The mean of n_i n_j over the contacts follows from monomial moments over the sphere. The rank-four part "
+             "The mean of $n_in_j$ over the contacts follows from monomial moments over the sphere. The rank-four part "
              "does not enter, and the trace is one.",
              (rf"{latex(N11)} = {latex(n11)}", rf"{latex(N33)} = {latex(n33)}",
               r"N_{ij} = \tfrac13\delta_{ij} + \tfrac{2}{15}D_{ij}"),
              (Claim(2 * n11 + n33, sp.Integer(1)),
               Claim(n33, sp.Rational(1, 3) + sp.Rational(2, 15) * D33),
-              Claim(n11, sp.Rational(1, 3) + sp.Rational(2, 15) * (-D33 / 2)))),
+              Claim(n11, sp.Rational(1, 3) + sp.Rational(2, 15) * (-D33 / 2))), result=True),
     )
     return Derivation(
         name="fabric",

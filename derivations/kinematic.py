@@ -10,8 +10,36 @@ from derivations.fabric import BRANCH_FORM, DENSITY_FORM, branch_form, density_f
 from derivations.record import Claim, Derivation, Function, Output, Step
 from derivations.sphere import axial_mean, axial_moment, homogeneous
 from derivations.symbols import (
-    C1111, C1122, C1212, C3333, D33, D3333, POSITIVE_MOMENTS, POWER_MOMENTS, STIFFNESS, Dr33, e0, e1, e2, kn, kr, ks,
-    kt, lam, latex, m0, m1, m2, nu, one_minus_lam, p0, p1, p2, s, w0, w1, y,
+    D33,
+    D3333,
+    POSITIVE_MOMENTS,
+    STIFFNESS,
+    Dr33,
+    cos_alpha,
+    e0,
+    e1,
+    e2,
+    kn,
+    kr,
+    ks,
+    kt,
+    lam,
+    latex,
+    m0,
+    m1,
+    m2,
+    nu,
+    one_minus_lam,
+    p0,
+    p1,
+    p2,
+    s,
+    sin_alpha,
+    sin_beta,
+    w0,
+    w1,
+    x,
+    y,
 )
 
 TO_POWER_MOMENTS = {p0: m0 - 2 * m1 + m2, p1: m1 - m2, p2: m2}
@@ -124,30 +152,30 @@ def _grouped(expressions: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
 
 def _moment_steps() -> tuple[Step, ...]:
     n, k = contact.NORMAL, contact.stiffness()
-    unit = {contact.sin_alpha: 0, contact.cos_alpha: 1}
+    unit = {sin_alpha: 0, cos_alpha: 1}
     sample = (n[2] * k[2, 2] * n[2]).subs(unit)
     power = tuple(sp.collect(sp.expand(c.subs(TO_POWER_MOMENTS)), (kn, kr)) for c in equal_tangents())
     return (
         Step("Contact tensor along a meridian",
-             "Inserting n, s, t into eq. (2) makes every component of n_i k_jl n_k a polynomial in the sine and cosine "
-             "of the two angles. The azimuth is averaged exactly, monomial by monomial.",
+             "Inserting $n$, $s$, $t$ into eq. (2) makes every component of $n_ik_{jl}n_k$ a polynomial in "
+             "the sines and cosines of the two angles. The azimuth is averaged exactly, monomial by monomial.",
              (rf"n_3k_{{33}}n_3 = {latex(sp.factor(sample))}",),
-             (Claim(sample, contact.x**2 * (kn * contact.x**2 + ks * contact.sin_beta**2)),)),
+             (Claim(sample, x**2 * (kn * x**2 + ks * sin_beta**2)),)),
         Step("Six components, each linear in three moments",
-             "What remains are quadratic forms in s = 1 - x^2 and y = x^2, so that three moments of the weight "
-             "rho = E W^2 carry everything, minor symmetry included.",
+             r"What remains are quadratic forms in $s = 1 - x^2$ and $y = x^2$, so that three moments of the weight "
+             r"$\rho = E W^2$ carry everything: $p_0 = \langle\rho s^2\rangle$, $p_1 = \langle\rho s y\rangle$, "
+             r"$p_2 = \langle\rho y^2\rangle$. Minor symmetry is included.",
              tuple(f"{latex(c)} = {latex(e)}" for c, e in zip(STIFFNESS, _grouped(components()), strict=True)),
-             (Claim(components()[5], (components()[0] - components()[2]) / 2),)),
+             (Claim(components()[5], (components()[0] - components()[2]) / 2),), result=True),
         Step("Equal tangential stiffness",
-             "For k_s = k_t = k_r and with the moments m_k = <rho x^(2k)> the components become",
+             r"For $k_s = k_t = k_r$ and with the moments $m_k = \langle\rho x^{2k}\rangle$ the components become",
              tuple(f"{latex(c)} = {latex(e)}" for c, e in zip(STIFFNESS, power, strict=True)),
              tuple(Claim(a, b) for a, b in zip(
                  equal_tangents(),
                  (e.subs({lam: kr / kn, one_minus_lam: 1 - kr / kn}) * kn for e in positive_components()),
                  strict=True))),
         Step("A check without the tangential stiffness",
-             "The sum C3333 + 2 C1111 + 2 C1122 + 4 C1133 is the response to isotropic compression, in which no "
-             "contact is sheared: k_r drops out.",
+             "This sum is the response to isotropic compression, in which no contact is sheared: $k_r$ drops out.",
              (r"C_{3333} + 2C_{1111} + 2C_{1122} + 4C_{1133} = k_n\langle\rho\rangle",),
              (Claim(sum(f * c for f, c in zip((2, 1, 2, 4), equal_tangents()[:4], strict=True)),
                     kn * (p0 + 2 * p1 + p2)),)),
@@ -158,21 +186,24 @@ def _closing_steps() -> tuple[Step, ...]:
     positive = positive_components()
     return (
         Step("Positive form",
-             "Written in the positive moments with 1 - lambda = nu/(2 - nu) as a quantity of its own, every component is "
-             "a sum of non-negative terms: nothing cancels, whatever the fabric.",
+             r"Written in the positive moments, with $\bar\lambda = 1 - \lambda = \nu/(2 - \nu)$ as a quantity of its "
+             "own, every component is a sum of non-negative terms: nothing cancels, whatever the fabric.",
              (rf"{latex(lam)} = {latex(LAM)}, \quad {latex(one_minus_lam)} = {latex(ONE_MINUS_LAM)}",
               *(f"{latex(c)} = {latex(e)}" for c, e in zip(STIFFNESS, positive, strict=True))),
              (Claim(LAM + ONE_MINUS_LAM, sp.Integer(1)),
               Claim(positive[5], ((positive[0] - positive[2]) / 2).subs(one_minus_lam, 1 - lam)
-                    + positive[5] - positive[5].subs(one_minus_lam, 1 - lam)))),
+                    + positive[5] - positive[5].subs(one_minus_lam, 1 - lam))), result=True),
         Step("Moments of the fabric",
-             "E W^2 is a form of degree four in s and y whose coefficients are products of the end values of E and W. "
-             "Its moments are rational combinations, because the integral of s^i x^(2j) is rational.",
-             tuple(f"{latex(p)} = {latex(m)}" for p, m in zip(POSITIVE_MOMENTS, moments(), strict=True)),
+             r"$E W^2$ is a form of degree four, $\sum_j\omega_j s^{4-j}y^j$, whose coefficients are products "
+             r"of the end "
+             "values of $E$ and $W$. Its moments are rational combinations, because the integral of $s^i x^{2j}$ over "
+             "$x$ from 0 to 1 is rational.",
+             (*(f"{latex(o)} = {latex(e)}" for o, e in zip(WEIGHT_SYMBOLS, weight_form(), strict=True)),
+              *(f"{latex(p)} = {latex(m)}" for p, m in zip(POSITIVE_MOMENTS, moments(), strict=True))),
              (Claim(sum(c * p for c, p in zip((1, 2, 1), closed_moments(), strict=True)),
-                    axial_mean(homogeneous_weight())),)),
+                    axial_mean(homogeneous_weight())),), result=True),
         Step("Isotropic fabric",
-             "For D33 = D3333 = Dr33 = 0 the moments are 8/15, 2/15 and 1/5.",
+             "Without any anisotropy the moments are plain fractions.",
              tuple(f"{latex(p)} = {latex(m)}" for p, m in isotropic_moments().items()),
              tuple(Claim(m.subs({D33: 0, D3333: 0, Dr33: 0}), isotropic_moments()[p])
                    for p, m in zip(POSITIVE_MOMENTS, closed_moments(), strict=True))),

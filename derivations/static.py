@@ -12,8 +12,31 @@ from derivations.record import Claim, Derivation, Function, Output, Step
 from derivations.sphere import sphere_mean
 from derivations.static_moments import moment_function, moment_steps
 from derivations.symbols import (
-    COMPLIANCE, D33, D3333, N11, N33, S1111, S1122, S1133, S1212, S2323, S3333, STIFFNESS, Dr33, kn, kr, ks, kt, lam,
-    latex, nu, one_minus_lam, p0, p1, p2, x,
+    COMPLIANCE,
+    D33,
+    D3333,
+    N11,
+    N33,
+    S1111,
+    S1122,
+    S1133,
+    S1212,
+    S2323,
+    S3333,
+    STIFFNESS,
+    Dr33,
+    kn,
+    kr,
+    ks,
+    kt,
+    lam,
+    latex,
+    nu,
+    one_minus_lam,
+    p0,
+    p1,
+    p2,
+    x,
 )
 
 fifteen_N11, fifteen_N33, A11, A33 = sp.symbols("fifteen_N11 fifteen_N33 A11 A33", positive=True)
@@ -49,14 +72,22 @@ def inverse(compliance: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
             1 / (4 * s44), 1 / (4 * s66))
 
 
-def positive_stiffness() -> tuple[sp.Expr, ...]:
+BULK = lam * p0 * p2 + p1 * (p0 + p1 + p2) + one_minus_lam * p1**2
+SHEAR = (1 + lam) * p0 + 2 * p1
+
+
+def positive_stiffness(bulk: sp.Expr = BULK, shear: sp.Expr = SHEAR) -> tuple[sp.Expr, ...]:
     """The inverse over k_n with no subtraction outside the vertical shear."""
-    bulk = lam * p0 * p2 + p1 * (p0 + p1 + p2) + one_minus_lam * p1**2
-    shear = (1 + lam) * p0 + 2 * p1
     c1212 = 2 * lam * N11**2 / shear
     c1122 = N11**2 * one_minus_lam * (lam * p0 * (p1 + p2) + one_minus_lam * p1 * (p0 + 2 * p1)) / (bulk * shear)
     return (c1122 + 2 * c1212, N33**2 * (lam * p0 + p1) / bulk, c1122, N11 * N33 * one_minus_lam * p1 / bulk,
             1 / (4 * positive_compliance()[4]), c1212)
+
+
+def _abbreviated() -> tuple[sp.Expr, ...]:
+    """The inverse with symbols for its two denominators, as it is shown."""
+    *stretching, _, horizontal = positive_stiffness(sp.Symbol("Delta"), sp.Symbol("Sigma"))
+    return (*stretching, 1 / (4 * S2323), horizontal)
 
 
 def _explicit(expression: sp.Expr) -> sp.Expr:
@@ -84,7 +115,8 @@ def compliance_function() -> Function:
     """Emit the six compliance components from the moments, D33 and Poisson's ratio."""
     tensors = {N11: 1 / A11, N33: 1 / A33}
     return Function(
-        "compliance_from_moments", "Six compliance components times (M/V) l_e^2 k_n from the positive moments of E/W^2.",
+        "compliance_from_moments",
+        "Six compliance components times (M/V) l_e^2 k_n from the positive moments of E/W^2.",
         (p0, p1, p2, D33, nu),
         (*_tensor_assignments(), *_inverse_assignments(), (lam, LAM), (one_minus_lam, ONE_MINUS_LAM),
          *((c, e.xreplace(tensors)) for c, e in zip(COMPLIANCE, positive_compliance(), strict=True))), COMPLIANCE,
@@ -99,8 +131,7 @@ def stiffness_function() -> Function:
         "stiffness_from_moments", "Six stiffness components over (M/V) l_e^2 k_n from the positive moments of E/W^2.",
         (p0, p1, p2, D33, nu),
         (*_tensor_assignments(), (lam, LAM), (one_minus_lam, ONE_MINUS_LAM),
-         (delta, lam * p0 * p2 + p1 * (p0 + p1 + p2) + one_minus_lam * p1 * p1),
-         (shear_sum, (1 + lam) * p0 + 2 * p1),
+         (delta, BULK), (shear_sum, SHEAR),
          (vertical, (lam * p1 + p0) / fifteen_N11**2 + (lam * p1 + 2 * p2 + p1) / fifteen_N33**2
           - 2 * one_minus_lam * p1 / (fifteen_N11 * fifteen_N33)),
          (c1212, 2 * lam * fifteen_N11**2 / (225 * shear_sum)),
@@ -130,7 +161,8 @@ def three_functions() -> tuple[Function, ...]:
     compliance = Function(
         "compliance_from_moments", "Six compliance components times (M/V) l_e^2 from the positive moments of E/W^2.",
         arguments,
-        (*_tensor_assignments(), *_inverse_assignments(), *zip(COMPLIANCE, collected, strict=True)), COMPLIANCE, unit="m/N")
+        (*_tensor_assignments(), *_inverse_assignments(), *zip(COMPLIANCE, collected, strict=True)),
+        COMPLIANCE, unit="m/N")
     stiffness = Function(
         "stiffness_from_compliance", "Six stiffness components, the inverse of a transversely isotropic compliance.",
         COMPLIANCE,
@@ -146,21 +178,23 @@ def _compliance_steps() -> tuple[Step, ...]:
     equal = tuple(c.subs(contact.TO_EQUAL_TANGENTS) for c in components())
     return (
         Step("Contact forces from the mean stress, eq. (23)",
-             "Under the static hypothesis every contact carries sigma_pj A_pk n_k V/(M l), with A the inverse of the "
-             "fabric tensor N. Averaging l_i f_j over the contacts returns the mean stress.",
+             r"Under the static hypothesis every contact carries its share of the mean stress, with $A$ the "
+             r"inverse of the "
+             r"fabric tensor $N$. Averaging $\ell_i f_j$ over the contacts returns that stress, whatever it is.",
              (r"f_j = \frac{V}{M\,\ell}\,\sigma_{pj}A_{pk}n_k,\qquad A = N^{-1}",),
              (_balance(),)),
         Step("Strain from the contact displacements",
              "Each contact gives way by its compliance times its force. By the work of the mean stress the compliance "
-             "of the assembly is a sum with the branch length in the denominator, so the weight is E/W^2.",
-             (r"S_{pjql} = \frac{V}{M\,\ell_e^2}\int_\Omega A_{pk}n_k\,s_{jl}\,A_{qm}n_m\,\frac{E}{W^2}\,\mathrm{d}\Omega",)),
+             "of the assembly is a sum with the branch length in the denominator, so the weight is $E/W^2$.",
+             (r"S_{pjql} = \frac{V}{M\,\ell_e^2}\int_\Omega A_{pk}n_k\,s_{jl}\,A_{qm}n_m\,"
+              r"\frac{E}{W^2}\,\mathrm{d}\Omega",)),
         Step("Six compliances, each linear in three moments",
-             "The average over the azimuth leaves quadratic forms in s and y, as for the stiffness.",
+             "The average over the azimuth leaves quadratic forms in $s$ and $y$, as for the stiffness.",
              tuple(f"{latex(c)} = {latex(sp.collect(e, (kn, ks, kt)))}"
                    for c, e in zip(COMPLIANCE, components(), strict=True)),
-             (Claim(components()[5], (components()[0] - components()[2]) / 2),)),
+             (Claim(components()[5], (components()[0] - components()[2]) / 2),), result=True),
         Step("Equal tangential stiffness",
-             "For k_s = k_t = lambda k_n the components times k_n become",
+             r"For $k_s = k_t = \lambda k_n$ the components times $k_n$ become",
              tuple(f"{latex(c)} = {latex(e)}" for c, e in zip(COMPLIANCE, positive_compliance(), strict=True)),
              tuple(Claim(kn * e.subs(kr, lam * kn), _explicit(f))
                    for e, f in zip(equal, positive_compliance(), strict=True))),
@@ -170,11 +204,13 @@ def _compliance_steps() -> tuple[Step, ...]:
 def _inverse_step() -> Step:
     exact = inverse(tuple(_explicit(c) for c in positive_compliance()))
     return Step(
-        "Stiffness in positive form",
-        "Inverting in general subtracts nearly equal numbers. Here the subtractions can be carried out by hand: with "
-        "Delta = lambda p0 p2 + p1 (p0 + p1 + p2) + (1 - lambda) p1^2 only sums of non-negative terms remain.",
-        tuple(f"{latex(c)} = {latex(e)}" for c, e in zip(STIFFNESS, positive_stiffness(), strict=True)),
-        tuple(_vanishes(_explicit(e) - f) for e, f in zip(positive_stiffness(), exact, strict=True)))
+        "Stiffness in positive "
+        "form",
+        "Inverting in general subtracts nearly equal numbers. Here the subtractions can be carried out beforehand: over "
+        r"$k_n$, and with $\Delta$ and $\Sigma$ as below, five components are sums of non-negative terms only.",
+        (rf"\Delta = {latex(BULK)},\quad \Sigma = {latex(SHEAR)}",
+         *(f"{latex(c)} = {latex(e)}" for c, e in zip(STIFFNESS, _abbreviated(), strict=True))),
+        tuple(_vanishes(_explicit(e) - f) for e, f in zip(positive_stiffness(), exact, strict=True)), result=True)
 
 
 ASSUMPTIONS = (

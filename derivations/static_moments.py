@@ -16,7 +16,20 @@ from derivations.record import Claim, Function, Step
 from derivations.series import TruncatedSeries, gegenbauer_forms, power_of_one_plus, product, truncate
 from derivations.sphere import axial_mean, axial_moment
 from derivations.symbols import (
-    D33, D3333, POSITIVE_MOMENTS, Dr33, e0, e1, e2, latex, s, v, w0, w1, x, y,
+    D33,
+    D3333,
+    POSITIVE_MOMENTS,
+    Dr33,
+    e0,
+    e1,
+    e2,
+    latex,
+    s,
+    v,
+    w0,
+    w1,
+    x,
+    y,
 )
 
 ratio = sp.Symbol("varrho", positive=True)
@@ -65,12 +78,10 @@ def series(k: int) -> TruncatedSeries:
 
 def moment_function() -> Function:
     """Emit the positive moments of E/W^2 by the five series."""
-    roots = sp.symbols("root_w0 root_w1 root_sum square below above", positive=True)
-    root_w0, root_w1, root_sum, square, below, above = roots
-    scale = sp.Symbol("scale", positive=True)
+    mean, square = sp.symbols("geometric_mean square", positive=True)
     integrals = sp.symbols("h0:5", positive=True)
     polynomial = sp.Function("polynomial")
-    divisors = (below**3, below**2, sp.Integer(1), above, above**2)
+    divisors = (w0 * (w0 + mean) / 2, square * w0 / 4, square**2 / 16, square * (w1 + mean) / 8, square * w1 / 4)
     over_one = ((e0, sp.Mul(8 - 4 * D33 + 3 * D3333, sp.Rational(1, 8), evaluate=False)),
                 (e1, sp.Mul(4 + D33 - 6 * D3333, sp.Rational(1, 2), evaluate=False)),
                 (e2, DENSITY_FORM[2]),
@@ -79,11 +90,9 @@ def moment_function() -> Function:
         "static_moments", "Moments <E W^-2 s^2>, <E W^-2 s x^2>, <E W^-2 x^4> of the static weight.",
         (D33, D3333, Dr33),
         (*over_one,
-         (root_w0, sp.sqrt(w0)), (root_w1, sp.sqrt(w1)), (root_sum, root_w0 + root_w1), (square, root_sum**2),
-         (v, 3 * Dr33 / (2 * square)), (below, 2 * root_w0 / root_sum), (above, 2 * root_w1 / root_sum),
+         (mean, sp.sqrt(w0 * w1)), (square, (4 + Dr33) / 2 + 2 * mean), (v, 3 * Dr33 / (2 * square)),
          *((h, polynomial(sp.Symbol(series(k).name), v) / divisors[k]) for k, h in enumerate(integrals)),
-         (scale, 16 / square**2),
-         *((p, scale * (e0 * integrals[k] + e1 * integrals[k + 1] + e2 * integrals[k + 2]))
+         *((p, e0 * integrals[k] + e1 * integrals[k + 1] + e2 * integrals[k + 2])
            for k, p in enumerate(POSITIVE_MOMENTS))),
         POSITIVE_MOMENTS,
         notes="The series hold for 1/9 <= w1/w0 <= 9, that is -16/19 <= Dr33 <= 16/11.",
@@ -109,30 +118,36 @@ def moment_steps() -> tuple[Step, ...]:
     remainder = sp.series(sp.expand(gegenbauer.subs(s, 1 - y)) * squared, v, 0, 4).removeO()
     return (
         Step("Five integrals",
-             "With E in positive form the moments need the five integrals of s^(4-k) y^k/W^2, which depend on one "
-             "number only, the ratio of the branch lengths at pole and equator.",
+             "With $E$ in positive form the moments need five integrals, which depend on one number only, the ratio of "
+             "the branch lengths at pole and equator.",
              (r"p_k = \sum_{j=0}^{2} e_j H_{j+k},\qquad H_k = \frac{1}{w_0^2}\int_0^1 "
               r"\frac{s^{4-k}y^k}{(s+\varrho\,y)^2}\,\mathrm{d}x,\qquad \varrho = \frac{w_1}{w_0}",),
              (Claim(sp.expand(density_form() * s**2),
-                    sp.expand(e0 * s**4 + e1 * s**3 * y + e2 * s**2 * y**2)),)),
+                    sp.expand(e0 * s**4 + e1 * s**3 * y + e2 * s**2 * y**2)),), result=True),
         Step("Elementary form",
-             "Division by q = 1 + (varrho - 1) x^2 leaves 1/q^2 and 1/q; both integrate to the arc tangent, or to the "
-             "hyperbolic one for varrho < 1. Near varrho = 1 this form loses digits, so it serves as an identity.",
+             r"Division by $q = 1 + (\varrho - 1) x^2$ leaves $1/q^2$ and $1/q$; both integrate to the arc "
+             r"tangent, or to "
+             r""
+             r"the hyperbolic one for $\varrho < 1$. Near $\varrho = 1$ this form loses digits, so it serves as an identity.",
              (r"L = \int_0^1\frac{\mathrm{d}x}{q} = \frac{\arctan\sqrt{\varrho-1}}{\sqrt{\varrho-1}},\qquad "
               r"\int_0^1\frac{\mathrm{d}x}{q^2} = \tfrac12\Bigl(\tfrac1\varrho + L\Bigr)",
               rf"w_0^2 H_4 = {latex(sp.factor(elementary_integral(4)))}"),
              (Claim(sp.together(sp.diff(x / (2 * q), x) + 1 / (2 * q)), sp.together(1 / q**2)),
               Claim(sp.cancel(sp.together(sum(sp.binomial(4, k) * elementary_integral(k) for k in range(5)))),
-                    (1 / ratio + elementary) / 2))),
+                    (1 / ratio + elementary) / 2)), result=True),
         Step("Gegenbauer series",
-             "In the contrast v, 1/W^2 is the generating function of the Gegenbauer polynomials C_n^(2)(s - y). Every "
-             "coefficient of the integrals is therefore an exact rational number.",
-             (r"\frac{1}{W^2} = \frac{1}{g^4}\sum_n C^{(2)}_n(s-y)\,v^n,\qquad g=\tfrac12(\sqrt{w_0}+\sqrt{w_1}),\qquad "
-              r"v = \frac{\sqrt{w_1}-\sqrt{w_0}}{\sqrt{w_1}+\sqrt{w_0}}",),
+             "In the contrast $v$, $1/W^2$ is the generating function of the Gegenbauer polynomials. Every coefficient of "
+             "the integrals is therefore an exact rational number.",
+             (r"\frac{1}{W^2} = \frac{1}{g^4}\sum_n C^{(2)}_n(s-y)\,v^n,\qquad g=\tfrac12(\sqrt{w_0}+\sqrt{w_1}),"
+              r"\qquad v = \frac{\sqrt{w_1}-\sqrt{w_0}}{\sqrt{w_1}+\sqrt{w_0}}",),
              (Claim(sp.expand(remainder), sp.Integer(1)),)),
         Step("Well-conditioned series",
-             "Factors (1-v)^3, (1-v)^2, 1, 1+v, (1+v)^2 taken out of the five integrals leave series whose terms hardly "
-             "cancel for |v| <= 1/2. They are cut where the rest is below 2^-57 of the sum.",
-             tuple(rf"\text{{terms of }} H_{k}: {len(series(k).coefficients)}" for k in range(5)),
+             "Factors $(1-v)^3$, $(1-v)^2$, 1, $1+v$, $(1+v)^2$ taken out of the five integrals leave series "
+             r"$\Sigma_k(v)$ whose terms hardly cancel for $|v| \le \tfrac12$. They are cut where the rest is below "
+             "$2^{-57}$ of the sum; "
+             + ", ".join(str(len(series(k).coefficients)) for k in range(5)) + " terms are kept.",
+             (r"H_0 = \frac{2\,\Sigma_0}{w_0(w_0+\sqrt{w_0w_1})},\quad H_1 = \frac{\Sigma_1}{g^2w_0},\quad "
+              r"H_2 = \frac{\Sigma_2}{g^4},\quad H_3 = \frac{2\,\Sigma_3}{g^2(w_1+\sqrt{w_0w_1})},\quad "
+              r"H_4 = \frac{\Sigma_4}{g^2w_1}",),
              tuple(_geometric_check(k, 5) for k in range(5))),
     )

@@ -86,7 +86,7 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(w1, r"w_1", "-", "> 0", "branch-length weight at the pole"),
     Quantity(N11, r"N_{11}", "-", "1/5 to 2/5", "horizontal component of the mean of n_i n_j"),
     Quantity(N33, r"N_{33}", "-", "1/5 to 3/5", "vertical component of the mean of n_i n_j"),
-    Quantity(v, r"v", "-", "-1 to 1", "contrast of the branch-length weight, (sqrt(w1) - sqrt(w0))/(sqrt(w1) + sqrt(w0))"),
+    Quantity(v, r"v", "-", "-1 to 1", "contrast of the roots of the branch-length weight at pole and equator"),
     Quantity(kn, r"k_n", "N/m", "> 0", "normal contact stiffness"),
     Quantity(ks, r"k_s", "N/m", "> 0", "tangential contact stiffness along the meridian"),
     Quantity(kt, r"k_t", "N/m", "> 0", "tangential contact stiffness along the parallel"),

@@ -13,7 +13,7 @@ sin_squared, half_sum, half_difference, coupling, root = sp.symbols(
     "sin_squared half_sum half_difference coupling root", real=True)
 fast, slow, bracket = sp.symbols("fast slow bracket", positive=True)
 
-_CHAR = {(0, 0): C1111, (1, 1): C1111, (2, 2): C3333}
+_DIAGONAL = {0: C1111, 1: C1111, 2: C3333}
 
 
 def tensor(i: int, j: int, k: int, m: int) -> sp.Expr:
@@ -21,7 +21,7 @@ def tensor(i: int, j: int, k: int, m: int) -> sp.Expr:
     first, second = tuple(sorted((i, j))), tuple(sorted((k, m)))
     if first[0] == first[1] and second[0] == second[1]:
         if first == second:
-            return _CHAR[first]
+            return _DIAGONAL[i]
         return C1133 if 2 in (first[0], second[0]) else C1122
     if first == second:
         return C1212 if first == (0, 1) else C2323
@@ -98,8 +98,8 @@ def waves() -> Derivation:
     positive_gap = {C3333: C2323 + sp.Symbol("g3", positive=True), C1111: C2323 + sp.Symbol("g1", positive=True)}
     steps = (
         Step("Christoffel matrix",
-             "A plane wave along n moves the solid along an eigenvector of C_ijkl n_i n_l; the eigenvalue is the "
-             "density times the squared phase speed. For n in the plane of axes 1 and 3 the matrix splits.",
+             "A plane wave along $n$ moves the solid along an eigenvector of $C_{ijkl}n_in_l$; the eigenvalue is the "
+             "density times the squared phase speed. For $n$ in the plane of axes 1 and 3 the matrix splits.",
              (rf"\Gamma_{{13}} = {latex(sp.factor(matrix[0, 2]))},\quad \Gamma_{{11}} = {latex(matrix[0, 0])},\quad "
               rf"\Gamma_{{33}} = {latex(matrix[2, 2])},\quad \Gamma_{{22}} = {latex(matrix[1, 1])}",),
              (Claim(matrix[0, 1], sp.Integer(0)), Claim(matrix[1, 2], sp.Integer(0)),
@@ -109,7 +109,7 @@ def waves() -> Derivation:
              (rf"\rho v_P^2 = {latex(fast_.subs(s + y, 1))}",
               rf"\rho v_{{SV}}^2 = {latex(slow_.subs(s + y, 1))}"),
              (Claim(sp.expand((fast_ + slow_).subs(s, 1 - y)), sp.expand(trace.subs(s, 1 - y))),
-              Claim(sp.expand((fast_ * slow_).subs(s, 1 - y)), sp.expand(determinant.subs(s, 1 - y))))),
+              Claim(sp.expand((fast_ * slow_).subs(s, 1 - y)), sp.expand(determinant.subs(s, 1 - y)))), result=True),
         Step("No cancellation in the slower wave",
              "The slower speed follows from the determinant over the faster one instead of from a difference.",
              (r"\rho v_{SV}^2 = \frac{\Gamma_{11}\Gamma_{33}-\Gamma_{13}^2}{\rho v_P^2}",),
@@ -117,18 +117,18 @@ def waves() -> Derivation:
                     sp.expand((s * y * (C1111 * C3333 - C1133**2 - 2 * C2323 * C1133)
                                + C2323 * (C1111 * s**2 + C3333 * y**2)).subs(s, 1 - y))),)),
         Step("Along and across the axis",
-             "Along axis 3 both shear waves run at C2323. Across it the horizontally polarised one runs at C1212, the "
-             "vertically polarised one at C2323 again.",
+             "Along axis 3 both shear waves are carried by $C_{2323}$. Across it the horizontally polarised "
+             "one is carried by $C_{1212}$, the vertically polarised one by $C_{2323}$ again.",
              (r"\rho v_{SH}^2(0) = \rho v_{SV}^2(0) = \rho v_{SV}^2(90^\circ) = C_{2323},\quad "
               r"\rho v_{SH}^2(90^\circ) = C_{1212}",),
              (Claim(sp.simplify(slow_.subs(positive_gap).subs({s: 0, y: 1})), C2323),
               Claim(sp.simplify(slow_.subs(positive_gap).subs({s: 1, y: 0})), C2323),
-              Claim(horizontal.subs({s: 1, y: 0}), C1212))),
+              Claim(horizontal.subs({s: 1, y: 0}), C1212)), result=True),
         Step("Thomsen's parameters",
-             "Three ratios that vanish for an isotropic solid; in delta the difference of squares is factorised.",
+             "Three ratios that vanish for an isotropic solid; in $\\delta$ the difference of squares is factorised.",
              tuple(f"{latex(n)} = {latex(e)}" for n, e in zip((epsilon, gamma, delta), thomsen(), strict=True)),
              (Claim(thomsen()[2] * (2 * C3333 * (C3333 - C2323)),
-                    (C1133 + C3333) * (C1133 + 2 * C2323 - C3333)),)),
+                    (C1133 + C3333) * (C1133 + 2 * C2323 - C3333)),), result=True),
     )
     exact = {s: 1 - cos_squared, y: cos_squared}
     return Derivation(

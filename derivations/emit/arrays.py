@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from derivations.emit.module import (
-    all_series, assignments, chained_body, coefficient_table, docstring, end_to_end, end_to_end_operations, header,
+    all_series,
+    assignments,
+    chained_body,
+    coefficient_table,
+    docstring,
+    end_to_end,
+    end_to_end_operations,
+    header,
 )
 from derivations.record import Derivation, Function
 
@@ -26,7 +33,8 @@ def array_module(derivation: Derivation) -> str:
     if whole is not None:
         bodies.append(_function(whole, chained_body(derivation), end_to_end_operations(derivation)))
     typing = "from typing import Final, TypeAlias" if series else "from typing import TypeAlias"
-    imports = ["from __future__ import annotations\n", typing + "\n", "import numpy as np", "import numpy.typing as npt"]
+    imports = ["from __future__ import annotations\n", typing + "\n",
+               "import numpy as np", "import numpy.typing as npt"]
     if any("sqrt(" in body for body in bodies):
         imports.append("from numpy import sqrt")
     imports.append("\nArray: TypeAlias = npt.NDArray[np.float64]")

@@ -13,11 +13,13 @@ class ArithmeticPrinter(PythonCodePrinter):
     """
 
     def __init__(self) -> None:
+        """Leave out module names: emitted modules import what they call."""
         super().__init__({"fully_qualified_modules": False, "allow_unknown_functions": True})
 
     def _print_Mul(self, expr: sp.Mul) -> str:
         """Numerator factors first, then one division by the product of the denominator's factors."""
-        above, below = [], []
+        above: list[str] = []
+        below: list[str] = []
         sign = ""
         for factor in expr.args if not expr.is_commutative or _unevaluated(expr) else expr.as_ordered_factors():
             if factor.is_Rational:

@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from derivations.emit.module import (
-    all_series, assignments, chained_body, coefficient_table, docstring, end_to_end, end_to_end_operations, header,
+    all_series,
+    assignments,
+    chained_body,
+    coefficient_table,
+    docstring,
+    end_to_end,
+    end_to_end_operations,
+    header,
 )
 from derivations.record import Derivation, Function
 
