@@ -29,6 +29,7 @@ class GranularError(ValueError):
     title: ClassVar[str] = "Refused"
 
     def __init__(self, found: str, *, allowed: str, remedy: str, more: int = 0) -> None:
+        """Compose the one sentence that the user reads."""
         self.found, self.allowed, self.remedy, self.more = found, allowed, remedy, more
         others = f" ({more} more {'mistake' if more == 1 else 'mistakes'} in the same input)" if more else ""
         super().__init__(f"{type(self).__name__} [{self.code}]: {found}, {allowed}. {remedy}{others}")
@@ -68,6 +69,13 @@ class BadOption(GranularError):
 
     code = "G-INP-04"
     title = "A command-line option that is not known"
+
+
+class OutputUnwritable(GranularError):
+    """Standard output cannot take the result, for instance because the disk is full."""
+
+    code = "G-INP-05"
+    title = "The output cannot be written"
 
 
 class UnitUnknown(GranularError):
@@ -253,7 +261,7 @@ class ResultOutOfRange(GranularError):
 
 
 CATALOGUE: tuple[type[GranularError], ...] = (
-    FileUnreadable, NotToml, FileTooLarge, BadOption,
+    FileUnreadable, NotToml, FileTooLarge, BadOption, OutputUnwritable,
     UnitUnknown, UnitOfOtherDimension, QuantityUnreadable,
     UnknownKey, MissingKey, WrongType, ValueOutOfRange, UnknownChoice, ConflictingKeys, TensorUnusable,
     SymmetryNotBuilt,
