@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from granular.array_stiffness import axial_stiffness
     from granular.elasticity import Compliance, Stiffness
     from granular.errors import GranularError
-    from granular.evaluate import Evaluation, evaluate
+    from granular.evaluation import Evaluation, evaluate
     from granular.fabric import AxialFabric
     from granular.hypothesis import Hypothesis
-    from granular.plan import Plan, plan
+    from granular.planning import Plan, plan
     from granular.scene import Scene
 
 __version__ = "0.1.0"
@@ -31,15 +31,15 @@ __version__ = "0.1.0"
 _HOME = {
     "AxialFabric": "granular.fabric",
     "Compliance": "granular.elasticity",
-    "Evaluation": "granular.evaluate",
+    "Evaluation": "granular.evaluation",
     "GranularError": "granular.errors",
     "Hypothesis": "granular.hypothesis",
-    "Plan": "granular.plan",
+    "Plan": "granular.planning",
     "Scene": "granular.scene",
     "Stiffness": "granular.elasticity",
     "axial_stiffness": "granular.array_stiffness",
-    "evaluate": "granular.evaluate",
-    "plan": "granular.plan",
+    "evaluate": "granular.evaluation",
+    "plan": "granular.planning",
 }
 
 __all__ = [

@@ -1,0 +1,210 @@
+"""Command line of granular: thin commands, and one place where every refusal becomes one line and exit code 2."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from granular.errors import BadOption, GranularError, OutputUnwritable
+from granular.routes.catalogue import ROUTES
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+DONE, MISSED, REFUSED, INTERRUPTED = 0, 1, 2, 130
+"""Exit codes: done; a check failed; the input is wrong; stopped by Ctrl-C."""
+
+app = typer.Typer(
+    name="granular", add_completion=False, pretty_exceptions_enable=False,
+    help="The elastic stiffness of granular assemblies from the statistics of their contacts.")
+
+
+class Figure(StrEnum):
+    """What ``plot`` can show."""
+
+    FABRIC = "fabric"
+    FORCES = "forces"
+    CONTACTS = "contacts"
+    STIFFNESS = "stiffness"
+    WAVES = "waves"
+
+
+SceneFile = Annotated[str, typer.Argument(metavar="SCENE", help="A scene file (TOML).")]
+Accuracy = Annotated[float | None, typer.Option("--rtol", help="Wanted relative accuracy of every component.")]
+RouteName = Annotated[str, typer.Option("--route", help=f"auto, {', '.join(ROUTES)}.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+
+
+@app.callback(invoke_without_command=True)
+def _start(
+    context: typer.Context,
+    version: Annotated[bool, typer.Option("--version", help="Show the version and stop.")] = False,
+) -> None:
+    if version:
+        from granular import __version__
+
+        _print(f"granular {__version__}\n")
+        raise typer.Exit
+    if context.invoked_subcommand is None:
+        _print(context.get_help() + "\n")
+
+
+@app.command()
+def run(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", json: AsJson = False) -> None:
+    """Stiffness of a scene, with its error, route, effects and wave speeds."""
+    from granular.evaluation import evaluate
+    from granular.report import evaluation_as_json, evaluation_as_text
+    from granular.scene import Scene
+
+    result = evaluate(Scene.from_toml(scene), rtol=rtol, route=route)
+    if json:
+        _print_json(evaluation_as_json(result))
+    else:
+        _print_blocks(evaluation_as_text(result))
+
+
+@app.command()
+def plan(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", json: AsJson = False) -> None:
+    """What run would do and why, without doing it."""
+    from granular.planning import plan as decide
+    from granular.report import plan_as_json, plan_as_text
+    from granular.scene import Scene
+
+    decided = decide(Scene.from_toml(scene), rtol=rtol, route=route)
+    if json:
+        _print_json(plan_as_json(decided))
+    else:
+        _print_blocks(plan_as_text(decided))
+
+
+@app.command()
+def plot(
+    scene: SceneFile,
+    what: Annotated[Figure, typer.Option("--what", help="What to show.")],
+    out: Annotated[Path, typer.Option("--out", help="File to write: SVG, PNG, PDF or HTML.")],
+) -> None:
+    """A figure of a scene."""
+    from granular.figures import save
+    from granular.scene import Scene
+
+    save(Scene.from_toml(scene), what=str(what), out=out)
+
+
+@app.command()
+def check() -> None:
+    """Numerics against symbolic limits, quadrature and certified values; exit code 1 on any miss."""
+    from granular.checks import run_checks
+
+    raise typer.Exit(run_checks())
+
+
+@app.command()
+def schema() -> None:
+    """JSON schema of a scene file."""
+    from granular.scene import Scene
+    from granular.scene_schema import schema_text
+
+    _print(schema_text(Scene))
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Run a command and leave with its exit code.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        Arguments; those of the process by default.
+
+    Raises
+    ------
+    SystemExit
+        Always: 0 done, 1 a check failed, 2 the input is wrong, 130 stopped by Ctrl-C.
+
+    Notes
+    -----
+    Source: the command line's interface.
+    """
+    sys.exit(_exit_code(arguments))
+
+
+def _exit_code(arguments: Sequence[str] | None) -> int:
+    try:
+        return run_command(arguments)
+    except GranularError as refusal:
+        print(refusal, file=sys.stderr)
+        return REFUSED
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def run_command(arguments: Sequence[str] | None = None) -> int:
+    """Run a command; what is wrong with its input is raised.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        Arguments; those of the process by default.
+
+    Returns
+    -------
+    int
+        Exit code, 0 or 1, or 130 after Ctrl-C.
+
+    Raises
+    ------
+    GranularError
+        The command line, the scene, or the file it names is wrong.
+
+    Notes
+    -----
+    Source: the command line's interface.
+    """
+    try:
+        code = app(args=None if arguments is None else list(arguments), prog_name="granular", standalone_mode=False)
+    except typer.TyperException as error:
+        reason, _, hint = " ".join(error.format_message().split()).partition(". ")
+        raise BadOption(reason.rstrip("."), allowed="allowed are the commands and options that --help lists",
+                        remedy=f"{hint} See granular --help.".lstrip()) from None
+    return code if isinstance(code, int) else DONE
+
+
+def _print_json(content: dict[str, Any]) -> None:
+    import json
+
+    lines = (f"{json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in content.items())
+    _print("{" + ",\n ".join(lines) + "}\n")
+
+
+def _print_blocks(blocks: Iterable[RenderableType]) -> None:
+    from rich.console import Console
+
+    console = Console(highlight=False, markup=False, emoji=False)
+    with console.capture() as captured:
+        for block in blocks:
+            console.print(block)
+    _print("".join(f"{line.rstrip()}\n" for line in captured.get().splitlines()))
+
+
+def _print(text: str) -> None:
+    """Write to standard output at once. A reader that went away is no error; a full disk is."""
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise typer.Exit(DONE) from None
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise OutputUnwritable(f"standard output ({(error.strerror or str(error)).lower()})",
+                               allowed="it must take the result", remedy="Free some space or name another file."
+                               ) from None
+
+
+if __name__ == "__main__":
+    main()

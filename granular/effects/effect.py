@@ -1,0 +1,60 @@
+"""What an effect is: a feature of the scene that the stiffness may have to carry."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from granular.fabric import AxialFabric
+    from granular.scene import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Called:
+    """Whether a scene calls for an effect, and why.
+
+    Attributes
+    ----------
+    wanted : bool
+        True when the stiffness would differ without the effect.
+    reason : str
+        The feature of the scene that decides it.
+    """
+
+    wanted: bool
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Effect:
+    """One effect; the catalogue of the package holds all of them.
+
+    Attributes
+    ----------
+    name : str
+        Name in the scene file.
+    title : str
+        What it is, in the field's words.
+    source : str
+        Equations that it comes from.
+    without : str
+        What leaving it out means, for the error of an effect that is not built.
+    called_for : callable
+        Decides from a scene.
+    add_to_fabric : callable or None
+        Puts the scene's share of the effect into the fabric that is computed; None while it is not built.
+    """
+
+    name: str
+    title: str
+    source: str
+    without: str
+    called_for: Callable[[Scene], Called]
+    add_to_fabric: Callable[[Scene, AxialFabric], AxialFabric] | None = None
+
+    @property
+    def built(self) -> bool:
+        """Whether this version simulates the effect."""
+        return self.add_to_fabric is not None

@@ -1,0 +1,91 @@
+"""Reading a scene file: every way in which a file can fail gets its own sentence."""
+
+from __future__ import annotations
+
+import os
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from granular.errors import FileTooLarge, FileUnreadable, NotToml
+from granular.units import shown
+
+LARGEST = 1 << 20
+"""Largest scene file [byte]; a scene is some hundred bytes long, so anything larger is not one."""
+
+
+def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Read a TOML file of at most 1 MiB.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The file.
+
+    Returns
+    -------
+    dict
+        Its tables.
+
+    Raises
+    ------
+    FileUnreadable, FileTooLarge, NotToml
+        The file is missing, a folder, forbidden, too large, not UTF-8, or not TOML.
+
+    Notes
+    -----
+    Source: TOML 1.0.
+    """
+    name = shown(os.fspath(path))
+    try:
+        text = _bytes_of(Path(path), name).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise NotToml(f"{name} has a byte at position {error.start} that is not UTF-8",
+                      allowed="allowed TOML text in UTF-8", remedy="Save the file as UTF-8.") from None
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise NotToml(f"{name} is not TOML: {_reason(str(error), text)}",
+                      allowed="allowed TOML 1.0", remedy="Correct that place.") from None
+    except RecursionError:
+        raise NotToml(f"{name} has lists or tables nested too deeply",
+                      allowed="allowed a scene, two tables deep", remedy="Remove the nesting.") from None
+    except ValueError:
+        # the one thing that tomllib leaves to int(): Python refuses to read integers of more than 4300 digits
+        raise NotToml(f"{name} has an integer of too many digits", allowed="allowed numbers up to 1.8e+308",
+                      remedy="Write a shorter number.") from None
+
+
+def _bytes_of(path: Path, name: str) -> bytes:
+    try:
+        with path.open("rb") as file:
+            content = file.read(LARGEST + 1)
+    except FileNotFoundError:
+        raise FileUnreadable(f"{name} does not exist", allowed="a scene file is needed",
+                             remedy="Check the path.") from None
+    except IsADirectoryError:
+        raise FileUnreadable(f"{name} is a folder", allowed="a scene file is needed",
+                             remedy="Name a file in it.") from None
+    except PermissionError:
+        raise FileUnreadable(f"{name} may not be read", allowed="a readable scene file is needed",
+                             remedy="Change its permissions.") from None
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise FileUnreadable(f"{name} cannot be read ({reason.lower()})", allowed="a scene file is needed",
+                             remedy="Check the path.") from None
+    if len(content) > LARGEST:
+        raise FileTooLarge(f"{name} is larger than {LARGEST} bytes",
+                           allowed=f"allowed up to {LARGEST} bytes (1 MiB)",
+                           remedy="Name a scene file; keep data in files of their own.")
+    return content
+
+
+def _reason(message: str, text: str) -> str:
+    """The parser's reason on one line; the end of the document gets its line and column too."""
+    message = "".join(c if c.isprintable() else repr(c)[1:-1] for c in message)
+    if "at end of document" in message:
+        lines = text.split("\n")
+        message = message.replace("at end of document", f"at line {len(lines)}, column {len(lines[-1]) + 1}, "
+                                  "the end of the file")
+    return re.sub(r"[\s.]+$", "", message)

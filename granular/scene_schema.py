@@ -1,0 +1,79 @@
+"""The published JSON schema of a scene, generated from the models."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from pydantic import BaseModel
+
+
+def schema_of(model: type[BaseModel]) -> dict[str, Any]:
+    """JSON schema of a model, without the null that Python needs and a TOML file cannot hold.
+
+    Parameters
+    ----------
+    model : type
+        The scene model.
+
+    Returns
+    -------
+    dict
+        JSON schema, draft 2020-12.
+
+    Notes
+    -----
+    Source: generated from the models, never typed.
+    """
+    schema: dict[str, Any] = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **_without_null(model.model_json_schema()),
+    }
+    definitions = schema["$defs"]
+    definitions["Grains"]["not"] = {"required": ["friction_angle", "friction_coefficient"]}
+    definitions["Grains"]["description"] += " At most one of friction_angle and friction_coefficient."
+    definitions["ContactNormals"]["oneOf"] = _either("D33", "tensor", forbid=("D3333",))
+    definitions["BranchAnisotropy"]["oneOf"] = _either("D33", "tensor")
+    definitions["Stress"]["oneOf"] = _either("mean", "tensor", forbid=("ratio",))
+    schema["not"] = {"required": ["branches", "shape"]}
+    return schema
+
+
+def schema_text(model: type[BaseModel]) -> str:
+    """The schema as the text of the published file.
+
+    Parameters
+    ----------
+    model : type
+        The scene model.
+
+    Returns
+    -------
+    str
+        Indented JSON with a final newline.
+
+    Notes
+    -----
+    Source: generated from the models, never typed.
+    """
+    return json.dumps(schema_of(model), indent=2, ensure_ascii=False) + "\n"
+
+
+def _either(first: str, second: str, *, forbid: tuple[str, ...] = ()) -> list[dict[str, Any]]:
+    """The first key, or the second key without those that go with the first."""
+    alone = {"anyOf": [{"required": [key]} for key in (first, *forbid)]}
+    return [{"required": [first], "not": {"required": [second]}}, {"required": [second], "not": alone}]
+
+
+def _without_null(node: Any) -> Any:
+    if isinstance(node, list):
+        return [_without_null(item) for item in node]
+    if not isinstance(node, dict):
+        return node
+    node = {key: _without_null(item) for key, item in node.items()
+            if not (key == "default" and item is None) and not (key == "title" and isinstance(item, str))}
+    choices = [choice for choice in node.get("anyOf", []) if choice != {"type": "null"}]
+    if len(choices) == 1 and len(node["anyOf"]) == 2:
+        del node["anyOf"]
+        node = {**choices[0], **node}
+    return node
