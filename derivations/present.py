@@ -61,7 +61,7 @@ class Page:
         return self.markdown
 
 
-def steps(name: str, *, first: int = 1, last: int | None = None) -> Page:
+def steps(name: str, *, first: int = 1, last: int | None = None, numbered: bool = True) -> Page:
     """Show the steps of a derivation on a page, every equality checked as the page is built.
 
     Parameters
@@ -70,6 +70,8 @@ def steps(name: str, *, first: int = 1, last: int | None = None) -> Page:
         Name of the derivation.
     first, last : int
         Numbers of the first and last step shown, counting from 1; all by default.
+    numbered : bool
+        Whether formulas carry an equation number and a label, see :func:`label`.
 
     Raises
     ------
@@ -85,7 +87,7 @@ def steps(name: str, *, first: int = 1, last: int | None = None) -> Page:
             raise AssertionError(f"{name}, step {number}: {verdict(step)}")
         lines += [f"**{number}. {step.title}.** {step.because} *({verdict(step)})*", ""]
         for position, formula in enumerate(step.shown, start=1):
-            lines += ["$$", formula, f"$$ ({label(name, number, position)})", ""]
+            lines += ["$$", formula, f"$$ ({label(name, number, position)})" if numbered else "$$", ""]
     return Page("\n".join(lines))
 
 

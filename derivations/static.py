@@ -204,10 +204,9 @@ def _compliance_steps() -> tuple[Step, ...]:
 def _inverse_step() -> Step:
     exact = inverse(tuple(_explicit(c) for c in positive_compliance()))
     return Step(
-        "Stiffness in positive "
-        "form",
-        "Inverting in general subtracts nearly equal numbers. Here the subtractions can be carried out beforehand: over "
-        r"$k_n$, and with $\Delta$ and $\Sigma$ as below, five components are sums of non-negative terms only.",
+        "Stiffness in positive form",
+        "Inverting in general subtracts nearly equal numbers. Here the subtractions can be carried out beforehand: "
+        r"over $k_n$, and with $\Delta$ and $\Sigma$ as below, five components are sums of non-negative terms only.",
         (rf"\Delta = {latex(BULK)},\quad \Sigma = {latex(SHEAR)}",
          *(f"{latex(c)} = {latex(e)}" for c, e in zip(STIFFNESS, _abbreviated(), strict=True))),
         tuple(_vanishes(_explicit(e) - f) for e, f in zip(positive_stiffness(), exact, strict=True)), result=True)

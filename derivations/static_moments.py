@@ -126,18 +126,18 @@ def moment_steps() -> tuple[Step, ...]:
                     sp.expand(e0 * s**4 + e1 * s**3 * y + e2 * s**2 * y**2)),), result=True),
         Step("Elementary form",
              r"Division by $q = 1 + (\varrho - 1) x^2$ leaves $1/q^2$ and $1/q$; both integrate to the arc "
-             r"tangent, or to "
-             r""
-             r"the hyperbolic one for $\varrho < 1$. Near $\varrho = 1$ this form loses digits, so it serves as an identity.",
+             r"tangent, or to the hyperbolic one for $\varrho < 1$. Near $\varrho = 1$ this form loses digits, so it "
+             "serves as an identity.",
              (r"L = \int_0^1\frac{\mathrm{d}x}{q} = \frac{\arctan\sqrt{\varrho-1}}{\sqrt{\varrho-1}},\qquad "
               r"\int_0^1\frac{\mathrm{d}x}{q^2} = \tfrac12\Bigl(\tfrac1\varrho + L\Bigr)",
               rf"w_0^2 H_4 = {latex(sp.factor(elementary_integral(4)))}"),
              (Claim(sp.together(sp.diff(x / (2 * q), x) + 1 / (2 * q)), sp.together(1 / q**2)),
               Claim(sp.cancel(sp.together(sum(sp.binomial(4, k) * elementary_integral(k) for k in range(5)))),
-                    (1 / ratio + elementary) / 2)), result=True),
+                    (1 / ratio + elementary) / 2)),
+             result=True),
         Step("Gegenbauer series",
-             "In the contrast $v$, $1/W^2$ is the generating function of the Gegenbauer polynomials. Every coefficient of "
-             "the integrals is therefore an exact rational number.",
+             "In the contrast $v$, $1/W^2$ is the generating function of the Gegenbauer polynomials. Every coefficient "
+             "of the integrals is therefore an exact rational number.",
              (r"\frac{1}{W^2} = \frac{1}{g^4}\sum_n C^{(2)}_n(s-y)\,v^n,\qquad g=\tfrac12(\sqrt{w_0}+\sqrt{w_1}),"
               r"\qquad v = \frac{\sqrt{w_1}-\sqrt{w_0}}{\sqrt{w_1}+\sqrt{w_0}}",),
              (Claim(sp.expand(remainder), sp.Integer(1)),)),

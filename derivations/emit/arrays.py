@@ -32,8 +32,7 @@ def array_module(derivation: Derivation) -> str:
     whole = end_to_end(derivation)
     if whole is not None:
         bodies.append(_function(whole, chained_body(derivation), end_to_end_operations(derivation)))
-    typing = "from typing import Final, TypeAlias" if series else "from typing import TypeAlias"
-    imports = ["from __future__ import annotations\n", typing + "\n",
+    imports = ["from __future__ import annotations\n", "from typing import TypeAlias\n",
                "import numpy as np", "import numpy.typing as npt"]
     if any("sqrt(" in body for body in bodies):
         imports.append("from numpy import sqrt")

@@ -61,12 +61,12 @@ def emitted_files() -> dict[str, str]:
     return dict(sorted(files.items()))
 
 
-def write(root: Path = ROOT) -> list[str]:
+def write(root: Path = ROOT, wanted: dict[str, str] | None = None) -> list[str]:
     """Write every emitted file that differs, remove stale ones, and return what changed.
 
-    Each file is written under a temporary name and then renamed, so that none is ever half-written.
+    ``wanted`` spares deriving everything again when the texts are at hand. Each file is written under a temporary name and then renamed, so that none is ever half-written.
     """
-    wanted = emitted_files()
+    wanted = emitted_files() if wanted is None else wanted
     changed = []
     for path, text in wanted.items():
         target = root / path
@@ -90,9 +90,9 @@ def stale(root: Path, wanted: dict[str, str]) -> list[str]:
     return sorted(path for path in found if path not in wanted)
 
 
-def differences(root: Path = ROOT) -> list[str]:
+def differences(root: Path = ROOT, wanted: dict[str, str] | None = None) -> list[str]:
     """Unified diffs of the files on disk against what would be emitted; empty when they agree."""
-    wanted = emitted_files()
+    wanted = emitted_files() if wanted is None else wanted
     reports = []
     for path, text in wanted.items():
         target = root / path

@@ -74,7 +74,7 @@ def coefficient_table(series: TruncatedSeries) -> str:
     rows = [f"    {correctly_rounded(c)}," for c in series.coefficients]
     return (f"# {len(series.coefficients)} terms for |v| <= {series.limit}; "
             f"left out: {float(series.left_out):.0e} of the sum.\n"
-            f"{series.name}: Final = (\n" + "\n".join(rows) + "\n)\n")
+            f"{series.name} = (\n" + "\n".join(rows) + "\n)\n")
 
 
 def correctly_rounded(number: sp.Rational) -> str:

@@ -34,8 +34,6 @@ def scalar_module(derivation: Derivation) -> str:
     imports = ["from __future__ import annotations\n"]
     if any("sqrt(" in body for body in bodies):
         imports.append("from math import sqrt")
-    if series:
-        imports.append("from typing import Final")
     parts = [header(derivation, "scalar functions"), "\n".join(imports).rstrip("\n") + "\n"]
     parts += [coefficient_table(one) for one in series]
     blocks = [*([POLYNOMIAL] if series else []), *bodies]

@@ -8,7 +8,7 @@ Operations: 598 (208 in the outputs as derived).
 
 from __future__ import annotations
 
-from typing import Final, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ from numpy import sqrt
 Array: TypeAlias = npt.NDArray[np.float64]
 
 # 30 terms for |v| <= 1/2; left out: 4e-18 of the sum.
-SERIES_0: Final = (
+SERIES_0 = (
     0.40634920634920635,
     0.11082251082251082,
     -0.07104007104007104,
@@ -51,7 +51,7 @@ SERIES_0: Final = (
 )
 
 # 37 terms for |v| <= 1/2; left out: 5e-18 of the sum.
-SERIES_1: Final = (
+SERIES_1 = (
     0.050793650793650794,
     -0.009235209235209235,
     -0.035164835164835165,
@@ -92,7 +92,7 @@ SERIES_1: Final = (
 )
 
 # 44 terms for |v| <= 1/2; left out: 3e-18 of the sum.
-SERIES_2: Final = (
+SERIES_2 = (
     0.025396825396825397,
     0.009235209235209235,
     -0.001776001776001776,
@@ -140,7 +140,7 @@ SERIES_2: Final = (
 )
 
 # 48 terms for |v| <= 1/2; left out: 7e-18 of the sum.
-SERIES_3: Final = (
+SERIES_3 = (
     0.031746031746031744,
     -0.002886002886002886,
     -0.01554001554001554,
@@ -192,7 +192,7 @@ SERIES_3: Final = (
 )
 
 # 44 terms for |v| <= 1/2; left out: 7e-18 of the sum.
-SERIES_4: Final = (
+SERIES_4 = (
     0.1111111111111111,
     -0.06060606060606061,
     -0.014763014763014764,
