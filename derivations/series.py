@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -42,6 +43,7 @@ def power_of_one_plus(exponent: int, sign: int, length: int) -> list[sp.Rational
     return [sp.binomial(exponent, n) * sp.Integer(sign) ** n for n in range(length)]
 
 
+@cache
 def gegenbauer_forms(length: int) -> list[list[sp.Rational]]:
     """Gegenbauer polynomials C_n^(2)(s - y) as forms of degree n in s and y, by their recurrence, with s + y = 1."""
     forms: list[list[sp.Rational]] = [[sp.Integer(1)], [sp.Integer(4), sp.Integer(-4)]]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derivations.symbols import cos_alpha, s, sin_alpha, sin_beta, x, y
@@ -68,6 +70,7 @@ def homogeneous(form: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
     return tuple(sp.expand(coefficient) for coefficient in coefficients)
 
 
+@cache
 def axial_moment(of_s: int, of_y: int) -> sp.Rational:
     """Integral of s^of_s y^of_y over x from 0 to 1: half a beta function, always rational.
 

@@ -64,7 +64,8 @@ def emitted_files() -> dict[str, str]:
 def write(root: Path = ROOT, wanted: dict[str, str] | None = None) -> list[str]:
     """Write every emitted file that differs, remove stale ones, and return what changed.
 
-    ``wanted`` spares deriving everything again when the texts are at hand. Each file is written under a temporary name and then renamed, so that none is ever half-written.
+    ``wanted`` spares deriving everything again when the texts are at hand. Each file is written under a temporary
+    name and then renamed, so that none is ever half-written.
     """
     wanted = emitted_files() if wanted is None else wanted
     changed = []

@@ -13,7 +13,7 @@ def rule(size: int) -> tuple[list[float], list[float]]:
         nodes, weights = [], []
         for index in range(size):
             root = mp.cos(mp.pi * (size - index - mpf(1) / 4) / (size + mpf(1) / 2))
-            for _ in range(8):
+            for _ in range(6):
                 value, slope = _legendre(size, root)
                 root -= value / slope
             _, slope = _legendre(size, root)

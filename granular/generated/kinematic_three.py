@@ -24,11 +24,11 @@ def positive_moments(D33: float, D3333: float, Dr33: float) -> tuple[float, floa
     Returns
     -------
     p0 : float [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : float [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : float [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
 
     Operations: 67.
     """
@@ -59,11 +59,11 @@ def stiffness_from_moments(
     Parameters
     ----------
     p0 : float [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : float [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : float [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
     kn : float [N/m]
         Normal contact stiffness.
     ks : float [N/m]

@@ -31,11 +31,11 @@ def positive_moments(D33: Array, D3333: Array, Dr33: Array) -> tuple[Array, Arra
     Returns
     -------
     p0 : (...) array [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : (...) array [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : (...) array [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
 
     Operations: 67.
     """
@@ -66,11 +66,11 @@ def stiffness_from_moments(
     Parameters
     ----------
     p0 : (...) array [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : (...) array [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : (...) array [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
     kn : (...) array [N/m]
         Normal contact stiffness.
     ks : (...) array [N/m]

@@ -259,11 +259,11 @@ def static_moments(D33: float, D3333: float, Dr33: float) -> tuple[float, float,
     Returns
     -------
     p0 : float [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : float [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : float [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
 
     Operations: 459.
     """
@@ -294,11 +294,11 @@ def stiffness_from_moments(
     Parameters
     ----------
     p0 : float [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : float [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : float [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
     D33 : float [-]
         P2 coefficient of the contact-normal density.
     nu : float [-]
@@ -345,11 +345,11 @@ def compliance_from_moments(
     Parameters
     ----------
     p0 : float [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : float [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : float [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
     D33 : float [-]
         P2 coefficient of the contact-normal density.
     nu : float [-]

@@ -266,11 +266,11 @@ def static_moments(D33: Array, D3333: Array, Dr33: Array) -> tuple[Array, Array,
     Returns
     -------
     p0 : (...) array [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : (...) array [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : (...) array [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
 
     Operations: 459.
     """
@@ -301,11 +301,11 @@ def compliance_from_moments(
     Parameters
     ----------
     p0 : (...) array [-]
-        Positive moment <rho s^2>.
+        Moment of the weight with the fourth power of the sine.
     p1 : (...) array [-]
-        Positive moment <rho s x^2>.
+        Moment of the weight with squared sine and squared cosine.
     p2 : (...) array [-]
-        Positive moment <rho x^4>.
+        Moment of the weight with the fourth power of the cosine.
     D33 : (...) array [-]
         P2 coefficient of the contact-normal density.
     kn : (...) array [N/m]
