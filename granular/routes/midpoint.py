@@ -1,0 +1,87 @@
+"""The stiffness by the midpoint rule in beta that the printed tables carry: 24 panels over 0 <= beta <= pi."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from granular.errors import RouteOutOfDomain
+from granular.hypothesis import Hypothesis
+from granular.routes.accuracy import require_accuracy
+from granular.routes.axial import components_by_rule
+from granular.routes.axial_rules import POWERS, AxialRule
+from granular.routes.result import RouteResult
+
+if TYPE_CHECKING:
+    from granular.fabric import AxialFabric
+
+NAME = "midpoint"
+
+PRINTED_PANELS = 24
+"""Panels with which the rule gives the digits of Tables II to V, and with no other number from 6 to 60."""
+
+PANELS = (2, 10_000)
+"""Fewest and most panels that are served."""
+
+
+def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis, rtol: float | None = None,
+             panels: int = PRINTED_PANELS) -> RouteResult:
+    """Six components over (M/V) l_e^2 k_n,ref by the midpoint rule in beta with the weight sin(beta).
+
+    Parameters
+    ----------
+    fabric : AxialFabric
+        Contact normals and branch lengths about axis 3 [-].
+    poisson_ratio : float
+        Poisson's ratio of the grain material [-], 0 <= nu <= 0.5.
+    hypothesis : Hypothesis
+        Kinematic or static.
+    rtol : float or None
+        Relative accuracy wanted of every component [-]; refused, because none is promised.
+    panels : int
+        Panels over 0 <= beta <= pi [-], 2 to 10,000.
+
+    Returns
+    -------
+    RouteResult
+        Components [-], an infinite declared error, and the number of panels.
+
+    Accuracy
+    --------
+    None promised: this is the error of the printed tables, about 3e-3 with 24 panels. It falls as 1/panels**2.
+
+    Raises
+    ------
+    RouteOutOfDomain
+        An ``rtol``, or a number of panels that is not served.
+
+    Source
+    ------
+    Tables II to V, whose third decimals are those of this rule.
+
+    Examples
+    --------
+    >>> from granular.fabric import AxialFabric
+    >>> printed = evaluate(AxialFabric(Dr33=-0.3), poisson_ratio=0.21, hypothesis=Hypothesis.KINEMATIC)
+    >>> round(printed.components[0] / printed.components[1], 4)
+    1.4525
+    """
+    fewest, most = PANELS
+    if not fewest <= panels <= most:
+        raise RouteOutOfDomain(f"panels = {panels}", allowed=f"allowed {fewest} <= panels <= {most}",
+                               remedy=f"Give {PRINTED_PANELS} panels for the digits of the printed tables.")
+    require_accuracy(NAME, math.inf, rtol)
+    components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis,
+                                    rule=_midpoint_rule(panels))
+    return RouteResult(components, math.inf, panels)
+
+
+def _midpoint_rule(panels: int) -> AxialRule:
+    """Half the sum over the panels is the average over 0 <= x <= 1."""
+    angles = [(i + 0.5) * math.pi / panels for i in range(panels)]
+    sines = [math.sin(angle) ** 2 for angle in angles]
+    cosines = [math.cos(angle) ** 2 for angle in angles]
+    measures = [math.sin(angle) * math.pi / (2 * panels) for angle in angles]
+    columns = tuple(tuple(w * s ** (POWERS - 1 - m) * x2**m
+                          for w, s, x2 in zip(measures, sines, cosines, strict=True)) for m in range(POWERS))
+    return AxialRule(tuple(sines), tuple(cosines), columns)
