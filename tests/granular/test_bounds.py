@@ -1,4 +1,4 @@
-"""What every stiffness of the model must satisfy, whatever the fabric: symmetry, positivity, and the order of bounds."""
+"""What every stiffness of the model must satisfy, whatever the fabric: symmetry, positivity, order of the bounds."""
 
 from __future__ import annotations
 
