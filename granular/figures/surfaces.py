@@ -1,0 +1,277 @@
+"""A function of direction as a surface: its distance from the centre is its value; static and to be turned."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from granular.figures.look import INK, MAP
+
+if TYPE_CHECKING:
+    import numpy as np
+    from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+    Radius = Callable[[Array], Array]
+
+TO_TURN = (49, 61)
+"""Points from pole to pole and once around in an interactive figure: smooth to the eye, some 50 kB a surface."""
+
+IN_PRINT = (97, 97)
+"""The same in a static figure, where no interpolation hides the faces."""
+
+
+@dataclass(frozen=True, slots=True)
+class Surface:
+    """Points of an axially symmetric surface about axis 3.
+
+    Attributes
+    ----------
+    x, y, z : (parallels, meridians) array
+        Coordinates along axes 1, 2, 3, in the unit of the radius.
+    radius : (parallels, meridians) array
+        Distance from the centre.
+    """
+
+    x: Array
+    y: Array
+    z: Array
+    radius: Array
+
+
+def surface(radius: Radius, points: tuple[int, int]) -> Surface:
+    """Points of the surface of a function of the cosine of the angle from axis 3.
+
+    Parameters
+    ----------
+    radius : callable
+        Takes an array of cosines [-], gives an array of distances, any unit.
+    points : tuple of 2 int
+        ``TO_TURN`` or ``IN_PRINT`` [-].
+
+    Returns
+    -------
+    Surface
+        Rounded to four decimals, so that a page that holds it stays small.
+
+    Notes
+    -----
+    Source: spherical coordinates.
+    """
+    import numpy as np
+
+    beta = np.linspace(0.0, np.pi, points[0])[:, None]
+    around = np.linspace(0.0, 2 * np.pi, points[1])[None, :]
+    distance = radius(np.cos(beta)) + 0 * around
+    x = distance * np.sin(beta) * np.cos(around)
+    y = distance * np.sin(beta) * np.sin(around)
+    z = distance * np.cos(beta)
+    return Surface(*(np.round(array, 4) + 0.0 for array in (x, y, z, distance)))
+
+
+def draw_surface(axes: Any, shown: Surface, *, reach: float, low: float, high: float,
+                 zoom: float = 1.45) -> ScalarMappable:
+    """Draw a surface with its three axes, equal scales, coloured by distance and shaded from above.
+
+    Parameters
+    ----------
+    axes : Axes3D
+        Empty.
+    shown : Surface
+        What to draw.
+    reach : float
+        Half the side of the cube that is shown, in the unit of the radius.
+    low, high : float
+        Ends of the colour scale, same unit.
+    zoom : float
+        How much of the panel the cube fills [-].
+
+    Returns
+    -------
+    ScalarMappable
+        For a colour bar.
+
+    Notes
+    -----
+    Source: distance as value, as in Figure 5.
+    """
+    import matplotlib as mpl
+    import numpy as np
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import LightSource, Normalize
+
+    colours = ScalarMappable(Normalize(low, high), mpl.colormaps[MAP])
+    faces = colours.to_rgba((shown.radius[:-1, :-1] + shown.radius[1:, 1:]) / 2)
+    shaded = _shaded(shown, np.asarray(faces), LightSource(azdeg=20, altdeg=50))
+    axes.plot_surface(shown.x, shown.y, shown.z, facecolors=shaded, rstride=1, cstride=1, linewidth=0,
+                      antialiased=False, shade=False, rasterized=True)
+    axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(-reach, reach))
+    axes.set_box_aspect((1, 1, 1), zoom=zoom)
+    axes.set_proj_type("ortho")
+    axes.view_init(elev=24, azim=45)  # axes 1 and 2 both come towards the reader
+    axes.set_axis_off()
+    for axis, skin in enumerate(float(points.max()) for points in (shown.x, shown.y, shown.z)):
+        direction = np.eye(3)[axis]
+        start, end, beyond = (direction * (skin + more * reach) for more in (0.0, 0.36, 0.47))
+        axes.plot(*zip(start, end, strict=True), color=INK, linewidth=0.9, zorder=10)
+        axes.text(*beyond, str(axis + 1), ha="center", va="center", color=INK, zorder=10)
+    return colours
+
+
+def plotly_surface(shown: Surface, *, low: float, high: float, name: str, **more: Any) -> Any:
+    """Make a surface for plotly.
+
+    Parameters
+    ----------
+    shown : Surface
+        What to draw.
+    low, high : float
+        Ends of the colour scale, in the unit of the radius.
+    name : str
+        What the pointer says.
+    **more
+        Anything else that plotly's surface takes.
+
+    Returns
+    -------
+    plotly.graph_objects.Surface
+        Single precision: four decimals are all that is shown.
+
+    Notes
+    -----
+    Source: distance as value, as in Figure 5.
+    """
+    import numpy as np
+    from plotly import graph_objects
+
+    x, y, z, radius = (array.astype(np.float32) for array in (shown.x, shown.y, shown.z, shown.radius))
+    return graph_objects.Surface(
+        x=x, y=y, z=z, surfacecolor=radius, cmin=low, cmax=high, colorscale="Viridis", name=name,
+        hovertemplate=f"{name} = %{{surfacecolor:.3f}}<extra></extra>",
+        lighting={"ambient": 0.8, "diffuse": 0.35, "specular": 0.02},
+        lightposition={"x": 1500, "y": 700, "z": 1500}, **more)
+
+
+def plotly_axes(reach: float) -> list[Any]:
+    """Make the three axes as lines with their names; plotly's own would be cut on a narrow page.
+
+    Parameters
+    ----------
+    reach : float
+        Length of each, in the unit of the radius.
+
+    Returns
+    -------
+    list of plotly.graph_objects.Scatter3d
+        Three traces.
+
+    Notes
+    -----
+    Source: the look of this package.
+    """
+    from plotly import graph_objects
+
+    return [graph_objects.Scatter3d(
+        **{name: [0, reach if name == along else 0] for name in "xyz"}, mode="lines+text", text=["", label],
+        textposition="top center", textfont={"size": 15, "color": INK}, line={"color": INK, "width": 3},
+        hoverinfo="skip", showlegend=False) for along, label in zip("xyz", ("1", "2", "3"), strict=True)]
+
+
+def plotly_space(reach: float) -> dict[str, Any]:
+    """Settings of a three-dimensional plotly scene: equal scales, and no box around it.
+
+    Parameters
+    ----------
+    reach : float
+        Half the side of the cube that is shown, in the unit of the radius.
+
+    Returns
+    -------
+    dict
+        For ``layout.scene``.
+
+    Notes
+    -----
+    Source: the look of this package.
+    """
+    axis = {"range": [-reach, reach], "visible": False}
+    return {"xaxis": axis, "yaxis": axis, "zaxis": axis, "aspectmode": "cube",
+            "camera": {"eye": {"x": 1.0, "y": 1.0, "z": 0.65}}}
+
+
+def draw_section(axes: Axes, radius: Radius, colour: str, *, dashed: bool = False) -> tuple[Array, Array]:
+    """Draw the cut of a surface with a plane that holds axis 3.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where to draw.
+    radius : callable
+        Takes an array of cosines [-], gives an array of distances, any unit.
+    colour : str
+        Of the curve.
+    dashed : bool
+        Whether to dash it.
+
+    Returns
+    -------
+    x, y : (361,) array
+        The curve: horizontal and along axis 3, in the unit of the radius.
+
+    Notes
+    -----
+    Source: spherical coordinates.
+    """
+    import numpy as np
+
+    angle = np.linspace(0.0, 2 * np.pi, 361)
+    distance = radius(np.cos(angle))
+    x, y = distance * np.sin(angle), distance * np.cos(angle)
+    axes.plot(x, y, color=colour, linestyle=(0, (4, 2)) if dashed else "-")
+    return x, y
+
+
+def frame_section(axes: Axes, side: float, unit: str) -> None:
+    """Give a section equal scales, and ticks that count outwards from the centre.
+
+    Parameters
+    ----------
+    axes : Axes
+        Holds a section.
+    side : float
+        Half the side of what is shown, in the unit of the radius.
+    unit : str
+        Of the radius.
+
+    Notes
+    -----
+    Source: the look of this package.
+    """
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+    axes.set(aspect="equal", xlim=(-side, side), ylim=(-side, side),
+             xlabel=f"horizontal [{unit}]", ylabel=f"along axis 3 [{unit}]")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MaxNLocator(7, symmetric=True))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{abs(value):g}"))
+
+
+def _shaded(shown: Surface, faces: Array, light: Any) -> Array:
+    """Face colours under a light, from the normals of the faces."""
+    import numpy as np
+
+    points = np.stack([shown.x, shown.y, shown.z], axis=-1)
+    diagonal = points[1:, 1:] - points[:-1, :-1]
+    other = points[1:, :-1] - points[:-1, 1:]
+    normals = np.cross(other, diagonal)
+    length = np.linalg.norm(normals, axis=-1, keepdims=True)
+    normals = normals / np.where(length > 0, length, 1)
+    centre = (points[1:, 1:] + points[:-1, :-1]) / 2
+    outward = np.sign((normals * centre).sum(axis=-1, keepdims=True))
+    brightness = (normals * outward * light.direction).sum(axis=-1)
+    shade = 0.72 + 0.28 * np.clip((brightness + 0.4) / 1.4, 0, 1)
+    colours: Array = np.concatenate([faces[..., :3] * shade[..., None], faces[..., 3:]], axis=-1)
+    return colours
