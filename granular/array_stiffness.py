@@ -133,7 +133,7 @@ def _static(D33: Array, Dr33: Array, nu: Array) -> tuple[Array, ...]:
     import numpy as np
 
     from granular.generated import static_constant_array as emitted
-    from granular.routes import axial_array
+    from granular.routes.axial_array import static_moments
 
     moments = np.empty((3, *D33.shape))
     pole, equator = 2 * (1 + Dr33), 2 - Dr33
@@ -142,7 +142,7 @@ def _static(D33: Array, Dr33: Array, nu: Array) -> tuple[Array, ...]:
         moments[:, near] = emitted.static_moments(D33[near], np.zeros(()), Dr33[near])
     far = ~near
     if far.any():
-        moments[:, far] = axial_array.static_moments(D33[far], Dr33[far])
+        moments[:, far] = static_moments(D33[far], Dr33[far])
     return emitted.stiffness_from_moments(moments[0], moments[1], moments[2], D33, nu)
 
 

@@ -1,0 +1,194 @@
+"""``axial_stiffness``: the scalar routes element by element, a ufunc's manners, and refusals that name the element."""
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import granular
+from granular.array_stiffness import BLOCK, RELATIVE_ERROR
+from granular.errors import (
+    ArrayNotUsable,
+    EffectNotBuilt,
+    FabricOutOfRange,
+    RouteOutOfDomain,
+    UnknownChoice,
+    ValueOutOfRange,
+)
+from granular.fabric import AxialFabric
+from granular.hypothesis import Hypothesis
+from granular.routes import axial, closed_form
+
+BATCH = 4 * np.finfo(float).eps
+"""Where branch lengths differ most, moments come from a matrix product, whose order of sums depends on the batch."""
+HYPOTHESES = [Hypothesis.KINEMATIC, Hypothesis.STATIC]
+EDGES_OF_DR = [math.nextafter(-1, 0), -1 + 1e-9, -0.99, -16 / 19, math.nextafter(-16 / 19, -1), -0.3, 0.0, 1e-300,
+               16 / 11, math.nextafter(16 / 11, 2), 1.9, 2 - 1e-9, math.nextafter(2, 0)]
+fabrics = st.sampled_from([-1.0, 0.0, 2.0]) | st.floats(-1, 2)
+branches = st.sampled_from(EDGES_OF_DR) | st.floats(-1, 2, exclude_min=True, exclude_max=True)
+ratios = st.sampled_from([0.0, 0.5]) | st.floats(0, 0.5)
+
+
+def stiffness(D33, Dr33, hypothesis, nu=0.21):
+    return granular.axial_stiffness(D33, Dr33, poisson_ratio=nu, kinetic=False, hypothesis=hypothesis)
+
+
+def scalar(d, dr, nu, hypothesis):
+    """The same numbers one at a time, by the closed form where it serves and by the Gauss rule elsewhere."""
+    fabric = AxialFabric(D33=d, Dr33=dr)
+    route = closed_form if closed_form.covers(fabric, hypothesis) else axial
+    return route.evaluate(fabric, poisson_ratio=nu, hypothesis=hypothesis)
+
+
+@pytest.mark.parametrize("hypothesis", HYPOTHESES)
+@given(st.lists(st.tuples(fabrics, branches, ratios), min_size=1, max_size=12))
+def test_equal_to_the_scalar_routes(hypothesis, cases):
+    # an element sent to the wrong formula, or mixed up with its neighbour
+    d, dr, nu = (np.array(column) for column in zip(*cases, strict=True))
+    ours = stiffness(d, dr, hypothesis, nu)
+    assert ours.shape == (len(cases), 6)
+    for row, case in zip(ours, cases, strict=True):
+        one = scalar(*case, hypothesis)
+        # both declared bounds together: 8 ulp for the array, at most a few for the scalar; and a few steps of
+        # the smallest numbers, where a Poisson's ratio next to zero leaves C1122 without a full mantissa
+        np.testing.assert_allclose(row, one.components, rtol=RELATIVE_ERROR + one.relative_error, atol=1e-320)
+
+
+@pytest.mark.parametrize("hypothesis", HYPOTHESES)
+def test_the_whole_boundary(hypothesis):
+    # corners where a weight vanishes and a dead branch would give 0/0
+    d, dr = np.meshgrid([-1.0, math.nextafter(-1, 0), 0.0, 2.0], EDGES_OF_DR)
+    ours = stiffness(d, dr, hypothesis)
+    assert np.isfinite(ours).all()
+    assert (ours > 0).all()
+    for index in np.ndindex(d.shape):
+        one = scalar(float(d[index]), float(dr[index]), 0.21, hypothesis)
+        np.testing.assert_allclose(ours[index], one.components, rtol=RELATIVE_ERROR + one.relative_error, atol=0)
+
+
+@pytest.mark.parametrize("hypothesis", HYPOTHESES)
+@pytest.mark.parametrize(("d_shape", "dr_shape", "nu_shape", "expected"), [
+    ((), (), (), ()),
+    ((3,), (), (), (3,)),
+    ((4, 1), (1, 5), (), (4, 5)),
+    ((2, 1, 3), (4, 1), (1,), (2, 4, 3)),
+    ((0,), (), (), (0,)),
+    ((0, 1), (1, 5), (), (0, 5)),
+    ((1, 0, 2), (3, 1, 1), (2,), (3, 0, 2)),
+])  # fmt: skip
+def test_shapes_broadcast_like_a_ufunc(hypothesis, d_shape, dr_shape, nu_shape, expected):
+    # a wrong axis order in the result, or an empty array refused
+    d = np.linspace(-0.9, 1.9, math.prod(d_shape)).reshape(d_shape)
+    dr = np.linspace(-0.95, 1.95, math.prod(dr_shape)).reshape(dr_shape)
+    nu = np.linspace(0.1, 0.4, math.prod(nu_shape)).reshape(nu_shape)
+    ours = stiffness(d, dr, hypothesis, nu)
+    assert (ours.shape, ours.dtype) == ((*expected, 6), np.float64)
+    full = [np.broadcast_to(array, expected) for array in (d, dr, nu)]
+    for index in np.ndindex(*expected):
+        alone = stiffness(*(array[index] for array in full[:2]), hypothesis, full[2][index])
+        np.testing.assert_allclose(ours[index], alone, rtol=BATCH)
+
+
+@pytest.mark.parametrize("hypothesis", HYPOTHESES)
+def test_strides_and_blocks(hypothesis):
+    # elements lost at the seam of two blocks, or read along the wrong stride
+    size = 2 * BLOCK + 3
+    d = np.linspace(-1, 2, 3 * size)[::-3]
+    dr = np.asfortranarray(np.linspace(-0.99, 1.99, 2 * size).reshape(size, 2))[:, 1]
+    ours = stiffness(d, dr, hypothesis)
+    assert ours.flags.c_contiguous
+    for index in (0, BLOCK - 1, BLOCK, 2 * BLOCK - 1, 2 * BLOCK, size - 1):
+        np.testing.assert_allclose(ours[index], stiffness(d[index], dr[index], hypothesis), rtol=BATCH)
+
+
+@pytest.mark.parametrize("hypothesis", HYPOTHESES)
+def test_integers_and_single_precision_are_numbers(hypothesis):
+    # arithmetic left in the argument's own precision would lose half the digits, or wrap around
+    np.testing.assert_array_equal(stiffness(1, 0, hypothesis), stiffness(1.0, 0.0, hypothesis))
+    np.testing.assert_array_equal(stiffness(np.int8([-1, 0, 2]), 0, hypothesis),
+                                  stiffness([-1.0, 0.0, 2.0], 0.0, hypothesis))
+    single = np.float32(0.3)
+    np.testing.assert_array_equal(stiffness(single, 0, hypothesis), stiffness(float(single), 0.0, hypothesis))
+    np.testing.assert_array_equal(stiffness(np.array([0.3], dtype=">f8"), 0, hypothesis)[0],
+                                  stiffness(0.3, 0.0, hypothesis))
+
+
+def test_arguments_are_left_alone():
+    # work done in place on the caller's array
+    d = np.array([0.1, 0.2])
+    d.flags.writeable = False
+    stiffness(d, d, "static")
+    np.testing.assert_array_equal(d, [0.1, 0.2])
+
+
+@pytest.mark.parametrize("hypothesis", ["kinematic", "static"])
+def test_nothing_is_computed_that_is_not_used(hypothesis):
+    # a formula evaluated outside its domain and masked afterwards warns about 0/0 or overflow
+    d, dr = np.meshgrid(np.linspace(-1, 2, 31), [*EDGES_OF_DR, *np.linspace(-0.999, 1.999, 31)])
+    with warnings.catch_warnings(), np.errstate(all="raise", under="ignore"):
+        warnings.simplefilter("error")
+        assert np.isfinite(stiffness(d, dr, hypothesis)).all()
+
+
+def test_the_kinematic_is_stiffer_than_the_static():
+    # hypotheses exchanged
+    d, dr = np.meshgrid(np.linspace(-1, 2, 13), np.linspace(-0.9, 1.9, 13))
+    assert (stiffness(d, dr, "kinematic")[..., [0, 1, 4, 5]]
+            >= stiffness(d, dr, "static")[..., [0, 1, 4, 5]] * (1 - 1e-14)).all()
+
+
+def test_kinetic_is_answered_where_all_contacts_carry_the_same():
+    # D33 = -1 with ratio 1/2 and D33 = 2 with ratio 3 balance exactly, like D33 = 0 under equal stress
+    d, ratio = np.array([0.0, -1.0, 2.0]), np.array([1.0, 0.5, 3.0])
+    with_forces = granular.axial_stiffness(d, -0.3, ratio, 0.2)
+    np.testing.assert_array_equal(with_forces, stiffness(d, -0.3, "kinematic"))
+    assert granular.axial_stiffness(0.0, -0.3).shape == (6,)
+
+
+@pytest.mark.parametrize(("d", "ratio"), [(0.3, 1.0), (0.0, 1.5), (5e-324, 1.0), (0.0, math.nextafter(1, 2)),
+                                          (0.3, 5.6 / 4.7)])
+def test_kinetic_is_refused_elsewhere(d, ratio):
+    # an answer with equal contact stiffness where the stress or the fabric makes forces differ, however little
+    with pytest.raises(EffectNotBuilt, match="kinetic=False"):
+        granular.axial_stiffness([0.0, d], 0.0, [1.0, ratio])
+    assert granular.axial_stiffness([0.0, d], 0.0, [1.0, ratio], kinetic=False).shape == (2, 6)
+
+
+@pytest.mark.parametrize(("arguments", "kind", "message"), [
+    ({"D33": [[0.0, 1.0], [2.5, math.nan]]}, FabricOutOfRange, "D33[1, 0] = 2.5"),
+    ({"D33": math.nan}, FabricOutOfRange, "D33 = nan"),
+    ({"D33": [0.0, -math.inf]}, FabricOutOfRange, "D33[1] = -inf"),
+    ({"D33": math.nextafter(2, 3)}, FabricOutOfRange, "D33 = 2.00"),
+    ({"Dr33": [0.0, -1.0]}, FabricOutOfRange, "Dr33[1] = -1.0"),
+    ({"Dr33": 2}, FabricOutOfRange, "Dr33 = 2"),
+    ({"poisson_ratio": [0.2, 0.6]}, ValueOutOfRange, "poisson_ratio[1] = 0.6"),
+    ({"poisson_ratio": math.nan}, ValueOutOfRange, "poisson_ratio = nan"),
+    ({"stress_ratio": 0.0}, ValueOutOfRange, "stress_ratio = 0.0"),
+    ({"stress_ratio": math.inf}, ValueOutOfRange, "stress_ratio = inf"),
+    ({"friction_coefficient": [0.1, -0.1]}, ValueOutOfRange, "friction_coefficient[1] = -0.1"),
+    ({"D33": "0.3"}, ArrayNotUsable, "D33 holds str"),
+    ({"D33": ["0.3", 1.0]}, ArrayNotUsable, "D33 holds str"),
+    ({"D33": [None, 1.0]}, ArrayNotUsable, "D33 holds object"),
+    ({"D33": [[1.0], [1.0, 0.5]]}, ArrayNotUsable, "different lengths"),
+    ({"D33": 0.1 + 0j}, ArrayNotUsable, "complex"),
+    ({"D33": True}, ArrayNotUsable, "bool"),
+    ({"D33": np.ma.masked_array([0.1, 9.0], mask=[False, True])}, ArrayNotUsable, "masked"),
+    ({"D33": [0.1, 0.2], "Dr33": [0.0, 0.1, 0.2]}, ArrayNotUsable, "D33 (2,), Dr33 (3,)"),
+    ({"hypothesis": "voigt"}, UnknownChoice, "hypothesis = 'voigt'"),
+    ({"rtol": 1e-17}, RouteOutOfDomain, "rtol = 1e-17"),
+    ({"rtol": math.nan}, RouteOutOfDomain, "rtol = nan"),
+])  # fmt: skip
+def test_bad_elements_are_named(arguments, kind, message):
+    # a NaN that travels into the result, or a message without the place
+    with pytest.raises(kind) as refusal:
+        granular.axial_stiffness(**{"D33": 0.0, "Dr33": 0.0, "kinetic": False, **arguments})
+    assert message in str(refusal.value)
+    assert str(refusal.value).endswith(".")
+
+
+def test_a_modest_accuracy_is_granted():
+    # rtol refused although kept
+    assert granular.axial_stiffness(0.0, 0.0, rtol=1e-12).shape == (6,)
