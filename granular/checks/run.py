@@ -1,0 +1,48 @@
+"""All comparisons, one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from granular.checks.comparison import Comparison
+from granular.checks.limit_comparisons import limit_comparisons
+from granular.checks.sample import sample_comparisons
+from granular.checks.stored import stored_comparisons
+
+SOURCES: dict[str, Callable[[], Iterator[Comparison]]] = {
+    "stored certified cases": stored_comparisons,
+    "symbolic limits": limit_comparisons,
+    "random admissible fabrics, certified on the fly": sample_comparisons,
+}
+"""What is compared with what, in the order in which it is shown."""
+
+
+def table(*, started: Callable[[str], None] | None = None) -> list[Comparison]:
+    """Run every comparison.
+
+    Parameters
+    ----------
+    started : callable or None
+        Told the name of each part before it starts, to show progress.
+
+    Returns
+    -------
+    list of Comparison
+        Stored cases, then limits, then random fabrics. Without python-flint the last part is empty.
+
+    Notes
+    -----
+    Accuracy: each comparison says what it allows. Source: the modules of this package.
+
+    Examples
+    --------
+    >>> from granular.checks import table
+    >>> all(comparison.agrees for comparison in table())
+    True
+    """
+    comparisons: list[Comparison] = []
+    for name, source in SOURCES.items():
+        if started is not None:
+            started(name)
+        comparisons.extend(source())
+    return comparisons

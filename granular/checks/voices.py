@@ -1,0 +1,109 @@
+"""The ways of computing that are held against each other, and what each may be off."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from granular.errors import RouteOutOfDomain
+from granular.fabric import AxialFabric
+from granular.hypothesis import Hypothesis
+from granular.routes import axial, certified, closed_form, exact, sphere
+from granular.routes.result import RouteResult
+
+UNIT = 2.0**-52
+"""A relative error of this size is between half a unit and one unit in the last place [-]."""
+
+MOST_UNITS = 4.0
+"""Units in the last place that a component may be off by the closed form and the axial rule, where E is of rank two,
+whatever they declare [ulp]."""
+
+
+class Voice(Protocol):
+    """What a module of ``granular.routes`` offers."""
+
+    NAME: str
+
+    def evaluate(self, fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
+                 rtol: float | None = None) -> RouteResult:
+        """Compute the six components."""
+
+
+ALL: tuple[Voice, ...] = (closed_form, exact, axial, sphere, certified)
+
+
+def voices() -> tuple[Voice, ...]:
+    """Name the ways of computing that can be used here.
+
+    Returns
+    -------
+    tuple of Voice
+        Modules of ``granular.routes``; ball arithmetic only where it is installed.
+    """
+    return tuple(voice for voice in ALL if voice is not certified or certified.available())
+
+
+def attempt(voice: Voice, fabric: AxialFabric, poisson_ratio: float, hypothesis: Hypothesis) -> RouteResult | None:
+    """Evaluate by a route, or say that it does not serve the fabric.
+
+    Parameters
+    ----------
+    voice : Voice
+        A module of ``granular.routes``.
+    fabric : AxialFabric
+        Contact normals and branch lengths [-].
+    poisson_ratio : float
+        Poisson's ratio of the grain material [-].
+    hypothesis : Hypothesis
+        Kinematic or static.
+
+    Returns
+    -------
+    RouteResult or None
+        None where the route refuses the fabric.
+
+    Notes
+    -----
+    Accuracy and source: the route's.
+
+    Examples
+    --------
+    >>> attempt(exact, AxialFabric(), 0.21, Hypothesis.STATIC) is None
+    True
+    """
+    try:
+        return voice.evaluate(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis)
+    except RouteOutOfDomain:
+        return None
+
+
+def allowed_units(voice: Voice, fabric: AxialFabric, result: RouteResult) -> float:
+    """Units in the last place that a component of a result may be off.
+
+    Parameters
+    ----------
+    voice : Voice
+        The route that gave the result.
+    fabric : AxialFabric
+        Contact normals and branch lengths [-].
+    result : RouteResult
+        What it gave.
+
+    Returns
+    -------
+    float
+        What the route declares; for the two routes that a plan chooses, at most ``MOST_UNITS`` while D3333 = 0 [ulp].
+
+    Notes
+    -----
+    Accuracy: a relative error is between 2**52 and 2**53 times as many units; the smaller number is taken. Source:
+    the aim of this package.
+
+    Examples
+    --------
+    >>> allowed_units(exact, AxialFabric(), RouteResult((1.0,) * 6, 2**-53, 0))
+    0.5
+    """
+    declared = result.relative_error / UNIT
+    if fabric.D3333 == 0 and voice in (closed_form, axial):
+        return min(declared, MOST_UNITS)
+    return declared
