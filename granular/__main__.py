@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Sequence
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,6 +12,7 @@ import typer
 
 from granular.errors import BadOption, GranularError, OutputUnwritable
 from granular.routes.catalogue import ROUTES
+from granular.units import shown
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -25,19 +25,10 @@ app = typer.Typer(
     help="The elastic stiffness of granular assemblies from the statistics of their contacts.")
 
 
-class Figure(StrEnum):
-    """What ``plot`` can show."""
-
-    FABRIC = "fabric"
-    FORCES = "forces"
-    CONTACTS = "contacts"
-    STIFFNESS = "stiffness"
-    WAVES = "waves"
-
-
 SceneFile = Annotated[str, typer.Argument(metavar="SCENE", help="A scene file (TOML).")]
-Accuracy = Annotated[float | None, typer.Option("--rtol", help="Wanted relative accuracy of every component.")]
-RouteName = Annotated[str, typer.Option("--route", help=f"auto, {', '.join(ROUTES)}.")]
+Accuracy = Annotated[str | None, typer.Option(
+    "--rtol", metavar="R", help="Wanted relative accuracy of every component, such as 1e-12.")]
+RouteName = Annotated[str, typer.Option("--route", metavar="NAME", help=f"auto, {', '.join(ROUTES)}.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 
@@ -62,7 +53,7 @@ def run(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", json
     from granular.report import evaluation_as_json, evaluation_as_text
     from granular.scene import Scene
 
-    result = evaluate(Scene.from_toml(scene), rtol=rtol, route=route)
+    result = evaluate(Scene.from_toml(scene), rtol=_accuracy(rtol), route=route)
     if json:
         _print_json(evaluation_as_json(result))
     else:
@@ -76,7 +67,7 @@ def plan(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", jso
     from granular.report import plan_as_json, plan_as_text
     from granular.scene import Scene
 
-    decided = decide(Scene.from_toml(scene), rtol=rtol, route=route)
+    decided = decide(Scene.from_toml(scene), rtol=_accuracy(rtol), route=route)
     if json:
         _print_json(plan_as_json(decided))
     else:
@@ -86,14 +77,15 @@ def plan(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", jso
 @app.command()
 def plot(
     scene: SceneFile,
-    what: Annotated[Figure, typer.Option("--what", help="What to show.")],
-    out: Annotated[Path, typer.Option("--out", help="File to write: SVG, PNG, PDF or HTML.")],
+    what: Annotated[str, typer.Option(
+        "--what", metavar="NAME", help="fabric, forces, contacts, stiffness or waves.")],
+    out: Annotated[Path, typer.Option("--out", metavar="FILE", help="File to write: SVG, PNG, PDF or HTML.")],
 ) -> None:
     """A figure of a scene."""
     from granular.figures import save
     from granular.scene import Scene
 
-    save(Scene.from_toml(scene), what=str(what), out=out)
+    _print(f"Wrote {save(Scene.from_toml(scene), what=what, out=out)}\n")
 
 
 @app.command()
@@ -169,9 +161,21 @@ def run_command(arguments: Sequence[str] | None = None) -> int:
         code = app(args=None if arguments is None else list(arguments), prog_name="granular", standalone_mode=False)
     except typer.TyperException as error:
         reason, _, hint = " ".join(error.format_message().split()).partition(". ")
+        hint = f"{hint.rstrip('.?')}{'?' if hint.endswith('?') else '.'} " if hint else ""
         raise BadOption(reason.rstrip("."), allowed="allowed are the commands and options that --help lists",
-                        remedy=f"{hint} See granular --help.".lstrip()) from None
+                        remedy=f"{hint}See granular --help.") from None
     return code if isinstance(code, int) else DONE
+
+
+def _accuracy(text: str | None) -> float | None:
+    """The number behind --rtol; whether it can be promised is for the plan to say."""
+    if text is None:
+        return None
+    try:
+        return float(text)
+    except ValueError:
+        raise BadOption(f'--rtol = {shown(text)}', allowed="allowed a number inside (0, 1)",
+                        remedy="Write it like --rtol 1e-12.") from None
 
 
 def _print_json(content: dict[str, Any]) -> None:
@@ -182,13 +186,16 @@ def _print_json(content: dict[str, Any]) -> None:
 
 
 def _print_blocks(blocks: Iterable[RenderableType]) -> None:
+    import io
+
     from rich.console import Console
 
-    console = Console(highlight=False, markup=False, emoji=False)
-    with console.capture() as captured:
-        for block in blocks:
-            console.print(block)
-    _print("".join(f"{line.rstrip()}\n" for line in captured.get().splitlines()))
+    buffer = io.StringIO()
+    console = Console(file=buffer, force_terminal=sys.stdout.isatty() or None, highlight=False, markup=False,
+                      emoji=False)
+    for block in blocks:
+        console.print(block)
+    _print("".join(f"{line.rstrip()}\n" for line in buffer.getvalue().splitlines()))
 
 
 def _print(text: str) -> None:

@@ -283,9 +283,9 @@ class SymmetricTensor(Kind):
                 raise TensorUnusable(f"{name} has t{place} = {this!r} and t{place[::-1]} = {that!r}",
                                      allowed="allowed only symmetric tensors",
                                      remedy="Make the two entries equal.")
-        trace = math.fsum((a, e, i))
-        if self.traceless and not nearly_equal(trace, 0.0, entries):
-            raise TensorUnusable(f"{name} has the trace {trace!r}", allowed="allowed only traceless tensors",
+        quarter = math.fsum((a / 4, e / 4, i / 4))  # the trace itself may overflow
+        if self.traceless and not nearly_equal(quarter, 0.0, entries):
+            raise TensorUnusable(f"{name} has the trace {4 * quarter!r}", allowed="allowed only traceless tensors",
                                  remedy="Subtract a third of the trace from every diagonal entry.")
         return (a, b, c), (d, e, f), (g, h, i)
 

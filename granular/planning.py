@@ -10,7 +10,7 @@ from granular.errors import RouteOutOfDomain, WrongType
 from granular.fabric import AxialFabric
 from granular.fields import Number, chosen
 from granular.hypothesis import Hypothesis
-from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Route
+from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Promise, Route
 from granular.units import shown
 
 if TYPE_CHECKING:
@@ -18,6 +18,12 @@ if TYPE_CHECKING:
 
 SCALING_ERROR = 2.0**-52
 """What the step to pascals adds: a reference stiffness and a product, each rounded once [-]."""
+
+COARSE = 2.0**-44
+"""A route that errs by more than this may break C1212 = (C1111 - C1122)/2 visibly, and C1212 is then set by it [-]."""
+
+COARSE_SHARE = 0.8
+"""What setting C1212 leaves of a wanted accuracy: the bound grows by (C1111 + C1122)/(2 C1212), at most 5/4 [-]."""
 
 WANTED = Number(above=0.0, below=1.0)
 """Interval of a wanted relative accuracy."""
@@ -113,38 +119,57 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
     name = chosen(route, ("auto", *ROUTES), name="route")
     selection = select(scene)
     fabric, hypothesis = selection.fabric, scene.model.hypothesis
-    best, reason = _first_covering(fabric, hypothesis) if name == "auto" else (ROUTES[name], "it was asked for")
-    _require_cover(best, fabric, hypothesis)
-    error, evaluations = best.promise(fabric, hypothesis)
-    error += SCALING_ERROR
-    _require_accuracy(best, error, wanted)
+    best, promise, reason = _decide(name, fabric, hypothesis, route_accuracy(wanted))
+    _require_accuracy(best, promise, wanted)
     return Plan(
         hypothesis=hypothesis, route=best.name, route_reason=reason,
         effects_simulated=tuple(selection.simulated), called_for=selection.simulated,
         effects_not_called_for=selection.not_called_for, fabric=fabric,
-        poisson_ratio=scene.grains.poisson_ratio, evaluations=evaluations, relative_error=error, rtol=wanted)
+        poisson_ratio=scene.grains.poisson_ratio, evaluations=promise.evaluations,
+        relative_error=promise.relative_error + SCALING_ERROR, rtol=wanted)
 
 
-def _first_covering(fabric: AxialFabric, hypothesis: Hypothesis) -> tuple[Route, str]:
+def route_accuracy(rtol: float | None) -> float | None:
+    """What is left of a wanted accuracy for the route, before the step to pascals and the tie of C1212.
+
+    Parameters
+    ----------
+    rtol : float or None
+        Wanted relative accuracy of every component in pascals [-].
+
+    Returns
+    -------
+    float or None
+        Wanted relative accuracy of every normalised component [-].
+
+    Notes
+    -----
+    Source: ``SCALING_ERROR`` and ``COARSE_SHARE``.
+    """
+    if rtol is None:
+        return None
+    return (COARSE_SHARE * rtol if rtol > COARSE else rtol) - SCALING_ERROR
+
+
+def _decide(name: str, fabric: AxialFabric, hypothesis: Hypothesis,
+            wanted: float | None) -> tuple[Route, Promise, str]:
     passed = ""
-    for route in (ROUTES[name] for name in AUTO):
-        if route.covers(fabric, hypothesis):
-            return route, f"{route.title}, the cheapest that covers this fabric{passed}"
+    for route in (ROUTES[known] for known in (AUTO if name == "auto" else (name,))):
+        promise = route.promise(fabric, hypothesis, wanted)
+        if promise is not None:
+            why = f"the cheapest that serves this fabric{passed}" if name == "auto" else "as asked for"
+            return route, promise, f"{route.title}, {why}"
         passed = f" ({route.name} does not)"
-    raise AssertionError("the last route of AUTO covers every fabric")
+    raise RouteOutOfDomain(f"route = {name} for {fabric}",
+                           allowed=f"it does not serve this fabric by the {hypothesis} hypothesis",
+                           remedy=f"Use route {AUTO[-1]}, which serves every admissible fabric.")
 
 
-def _require_cover(route: Route, fabric: AxialFabric, hypothesis: Hypothesis) -> None:
-    if not route.covers(fabric, hypothesis):
-        raise RouteOutOfDomain(f"route = {route.name} for {fabric}",
-                               allowed=f"it does not cover this fabric by the {hypothesis} hypothesis",
-                               remedy=f"Use route {AUTO[-1]}, which serves every admissible fabric.")
-
-
-def _require_accuracy(route: Route, error: float, rtol: float | None) -> None:
-    if rtol is None or rtol >= error:
+def _require_accuracy(route: Route, promise: Promise, rtol: float | None) -> None:
+    wanted = route_accuracy(rtol)
+    if wanted is None or wanted >= promise.relative_error:
         return
-    closest = f"{error * 1.005:.2e}"  # rounded up, so that it is granted when it is asked for
+    closest = f"{(promise.relative_error + SCALING_ERROR) * 1.005:.2e}"  # rounded up, so that it will be granted
     better = "" if route.name == MOST_ACCURATE else f", or use route {MOST_ACCURATE}"
     raise RouteOutOfDomain(f"rtol = {rtol!r} by route {route.name}",
                            allowed=f"allowed rtol >= {closest} for this fabric",

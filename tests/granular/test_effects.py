@@ -1,0 +1,202 @@
+"""Effects: what a scene calls for, decided exactly, and what happens to effects that are not built."""
+
+from __future__ import annotations
+
+import importlib
+import math
+from copy import deepcopy
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import granular.effects
+from granular.effects import CATALOGUE, Called, Effect, selection
+from granular.effects.selection import LEFT_OUT, select
+from granular.errors import EffectNotBuilt
+from granular.fabric import AxialFabric
+from granular.scene import EFFECT_NAMES, Scene
+
+BY_NAME = {effect.name: effect for effect in CATALOGUE}
+SOUND = {
+    "grains": {"shear_modulus": "31 GPa", "poisson_ratio": 0.21},
+    "packing": {"void_ratio": 0.5744},
+    "stress": {"mean": "28 kPa"},
+}
+
+
+def scene(D33=0.0, ratio=1.0, **tables):
+    content = deepcopy(SOUND)
+    content["packing"]["contact_normals"] = {"D33": D33}
+    content["stress"]["ratio"] = ratio
+    for name, table in tables.items():
+        content[name] = {**content.get(name, {}), **table}
+    return Scene.model_validate(content)
+
+
+def called(name, *args, **tables):
+    return BY_NAME[name].called_for(scene(*args, **tables)).wanted
+
+
+def test_the_catalogue_names_all_effects_of_the_scene_file():
+    # Breaks when an effect is added to one of the two lists only.
+    assert tuple(BY_NAME) == EFFECT_NAMES
+
+
+def test_every_file_of_the_package_is_in_the_catalogue():
+    # Breaks when an effect has a file and no line in the catalogue.
+    files = {path.stem for path in Path(granular.effects.__file__).parent.glob("*.py")}
+    assert files - {"__init__", "effect", "selection"} == set(EFFECT_NAMES)
+    for name in EFFECT_NAMES:
+        assert importlib.import_module(f"granular.effects.{name}").EFFECT is BY_NAME[name]
+
+
+@pytest.mark.parametrize("effect", CATALOGUE, ids=list(BY_NAME))
+def test_every_effect_describes_itself(effect):
+    # Breaks when a record is incomplete: the book and the messages show these texts.
+    assert effect.title and effect.source and effect.without
+    assert effect.called_for(scene()).reason
+    assert not effect.called_for(scene()).wanted
+
+
+def test_two_effects_are_built():
+    # Breaks when an effect claims to be built without changing anything, or loses its implementation.
+    assert [effect.name for effect in CATALOGUE if effect.built] == ["packing", "branches"]
+
+
+EXACT = [(-1.0, 0.5), (0.0, 1.0), (1.0, 1.75), (2.0, 3.0), (0.5, 4 / 3)]
+
+
+@pytest.mark.parametrize(("D33", "ratio"), EXACT[:-1])
+def test_uniform_force_is_found_exactly(D33, ratio):
+    # Breaks when a = c is decided in floats: there 5 (SR - 1) = D (SR + 2) holds to the last bit.
+    assert not called("kinetic", D33, ratio)
+    assert not called("slip", D33, ratio, grains={"friction_coefficient": 0.2})
+
+
+@pytest.mark.parametrize(("D33", "ratio"), EXACT)
+def test_one_unit_of_the_last_place_away_is_called_for(D33, ratio):
+    # Breaks when a tolerance hides a small kinetic fabric: what is called for is never left out silently.
+    assert called("kinetic", D33, math.nextafter(ratio, math.inf))
+    assert called("kinetic", D33, math.nextafter(ratio, 0.0))
+
+
+def test_a_ratio_that_no_double_holds_is_called_for():
+    # Breaks when "equal in floats" passes: D = 1/2 needs SR = 4/3.
+    assert called("kinetic", 0.5, 4 / 3)
+
+
+def test_stress_tensor_and_ratio_decide_alike():
+    # Breaks when the principal stresses of a tensor are divided in floats before they are compared.
+    tensor = [[4.0, 0, 0], [0, 4.0, 0], [0, 0, 7.0]]
+    content = {**SOUND, "packing": {"void_ratio": 0.5, "contact_normals": {"D33": 1.0}}, "stress": {"tensor": tensor}}
+    assert not BY_NAME["kinetic"].called_for(Scene.model_validate(content)).wanted
+    tensor[2][2] = math.nextafter(7.0, 8.0)
+    assert BY_NAME["kinetic"].called_for(Scene.model_validate(content)).wanted
+
+
+@given(st.floats(-1.0, 2.0), st.floats(0.0, 1e300))
+def test_every_stress_has_a_reason(D33, ratio):
+    # Breaks when extreme ratios overflow while the reason is put into words.
+    for effect in CATALOGUE:
+        assert isinstance(effect.called_for(scene(D33, ratio)).reason, str)
+
+
+@pytest.mark.parametrize(("name", "tables", "wanted"), [
+    ("packing", {"packing": {"contact_normals": {"D33": 0.0, "D3333": 0.1}}}, True),
+    ("packing", {"packing": {"contact_normals": {"D33": -0.0, "D3333": 0.0}}}, False),
+    ("branches", {"branches": {"anisotropy": {"D33": 5e-324}}}, True),
+    ("branches", {"branches": {"length_ratio": 1.2}}, False),
+    ("gradation", {"gradation": {"distribution": "curve", "file": "curve.csv"}}, True),
+    ("deviation", {"shape": {"aspect_ratio": 0.8}}, True),
+    ("deviation", {"shape": {"aspect_ratio": 1.0}}, False),
+    ("slip", {"grains": {"friction_coefficient": 0.2}}, False),
+    ("slip", {"grains": {"friction_coefficient": 0.2}, "stress": {"ratio": 1.5}}, True),
+    ("slip", {"stress": {"ratio": 1.5}}, False),
+    ("slip", {"grains": {"friction_coefficient": 0.0}}, True),
+    ("slip", {"grains": {"friction_angle": "0 deg"}}, True),
+    ("opening", {"stress": {"ratio": 0.0}}, True),
+    ("opening", {"stress": {"ratio": 5e-324}}, False),
+])
+def test_called_for(name, tables, wanted):
+    # Breaks when an effect is called for by anything but the feature it stands for.
+    content = deepcopy(SOUND)
+    for table, keys in tables.items():
+        content.setdefault(table, {}).update(keys)
+    assert BY_NAME[name].called_for(Scene.model_validate(content)).wanted is wanted
+
+
+def test_horizontal_stress_of_zero_opens_contacts():
+    # Breaks when only the pole is looked at.
+    content = {**SOUND, "stress": {"tensor": [[0, 0, 0], [0, 0, 0], [0, 0, 3.0]]}}
+    opening = BY_NAME["opening"].called_for(Scene.model_validate(content))
+    assert opening == Called(True, "the estimated normal force is not positive at the equator")
+
+
+# ---- selection
+
+
+def test_auto_simulates_what_is_called_for():
+    # Breaks when auto simulates more, or less, than the scene calls for.
+    chosen = select(scene(branches={"anisotropy": {"D33": -0.3}}))
+    assert list(chosen.simulated) == ["branches"]
+    assert set(chosen.not_called_for) == set(EFFECT_NAMES) - {"branches"}
+    assert chosen.fabric == AxialFabric(Dr33=-0.3)
+
+
+def test_a_list_is_honoured():
+    # Breaks when an anisotropy that the list leaves out is still simulated, or its loss is not reported.
+    chosen = select(scene(0.3, branches={"anisotropy": {"D33": -0.3}}, model={"effects": ["packing"]}))
+    assert chosen.fabric == AxialFabric(D33=0.3)
+    assert list(chosen.simulated) == ["packing"]
+    assert chosen.not_called_for["branches"].startswith(LEFT_OUT)
+    assert chosen.not_called_for["kinetic"].startswith(LEFT_OUT)
+    assert not chosen.not_called_for["opening"].startswith(LEFT_OUT)
+
+
+def test_an_empty_list_is_the_ideal_assembly():
+    # Breaks when an empty list is taken for "auto".
+    chosen = select(scene(0.3, 2.0, model={"effects": []}))
+    assert chosen.fabric == AxialFabric()
+    assert chosen.simulated == {}
+
+
+@pytest.mark.parametrize(("tables", "parts"), [
+    ({"stress": {"ratio": 1.5}}, ["kinetic", "varies with direction"]),
+    ({"stress": {"ratio": 1.5}, "grains": {"friction_angle": "12 deg"}}, ["kinetic and slip", "friction"]),
+    ({"stress": {"ratio": 0.0}}, ["kinetic and opening"]),
+    ({"shape": {"aspect_ratio": 0.8}}, ["deviation", "0.8"]),
+    ({"gradation": {"distribution": "lognormal", "median": "5 mm", "spread": 1.5}}, ["gradation", "lognormal"]),
+])
+def test_what_is_called_for_and_not_built_is_refused(tables, parts):
+    # Breaks when a scene is answered without an effect that it calls for; the message must say which, why, and how
+    # to leave it out.
+    content = deepcopy(SOUND)
+    for table, keys in tables.items():
+        content.setdefault(table, {}).update(keys)
+    with pytest.raises(EffectNotBuilt) as refused:
+        select(Scene.model_validate(content))
+    message = str(refused.value)
+    assert all(part in message for part in [*parts, 'effects = ["packing", "branches"]', "built so far"])
+    content["model"] = {"effects": ["packing", "branches"]}  # the remedy that the message gives
+    select(Scene.model_validate(content))
+
+
+@pytest.mark.parametrize("name", [effect.name for effect in CATALOGUE if not effect.built])
+def test_what_is_listed_and_not_built_is_refused(name):
+    # Breaks when a list is answered without one of its entries, even one that the scene does not call for.
+    with pytest.raises(EffectNotBuilt, match=f"lists {name}.*Take {name} off the list"):
+        select(scene(model={"effects": ["packing", name]}))
+
+
+def test_a_new_effect_is_one_record(monkeypatch):
+    # Breaks when the selection knows an effect by name: one more record must be enough to be simulated.
+    flat = Effect(name="flat", title="t", source="s", without="w",
+                  called_for=lambda given: Called(given.stress.mean_stress > 1, "pressed"),
+                  add_to_fabric=lambda _, fabric: replace(fabric, Dr33=1.0))
+    monkeypatch.setattr(selection, "CATALOGUE", (*CATALOGUE, flat))
+    chosen = select(scene(0.0))
+    assert chosen.simulated == {"flat": "pressed"}
+    assert chosen.fabric == AxialFabric(Dr33=1.0)

@@ -1,0 +1,164 @@
+"""Plans: which route, what it promises, and what is refused before anything is computed."""
+
+from __future__ import annotations
+
+import math
+from copy import deepcopy
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import granular
+from granular import errors
+from granular.planning import COARSE, SCALING_ERROR, plan, route_accuracy
+from granular.routes.catalogue import AUTO, CATALOGUE, MOST_ACCURATE, ROUTES
+from granular.scene import Scene
+
+SOUND = {
+    "grains": {"shear_modulus": "31 GPa", "poisson_ratio": 0.21},
+    "packing": {"void_ratio": 0.5744},
+    "stress": {"mean": "28 kPa"},
+}
+STEEP = 1.9
+"""A branch anisotropy whose static moments the emitted series does not cover: w1/w0 = 58."""
+
+
+def scene(D33=0.0, Dr33=0.0, hypothesis="kinematic", **model):
+    content = deepcopy(SOUND)
+    content["packing"]["contact_normals"] = {"D33": D33}
+    content["branches"] = {"anisotropy": {"D33": Dr33}}
+    content["model"] = {"hypothesis": hypothesis, "effects": ["packing", "branches"], **model}
+    return Scene.model_validate(content)
+
+
+def test_auto_takes_the_closed_form_where_it_covers():
+    # Breaks when a cheaper route that covers the fabric is passed over.
+    decided = plan(scene(0.3, -0.3))
+    assert (decided.route, decided.evaluations) == ("closed_form", 0)
+    assert "closed form" in decided.route_reason
+
+
+def test_auto_falls_back_to_the_axial_rule():
+    # Breaks when a fabric outside the static closed form is answered by it, or by nothing.
+    assert plan(scene(0.3, STEEP)).route == "closed_form"
+    decided = plan(scene(0.3, STEEP, "static"))
+    assert decided.route == "axial"
+    assert decided.evaluations > 0
+    assert "closed_form does not" in decided.route_reason
+
+
+@given(st.floats(-1.0, 2.0), st.floats(-1.0, 2.0, exclude_min=True, exclude_max=True),
+       st.sampled_from(["kinematic", "static"]))
+def test_every_fabric_has_a_route(D33, Dr33, hypothesis):
+    # Breaks when the last automatic route refuses an admissible fabric, the boundary included.
+    decided = plan(scene(D33, Dr33, hypothesis))
+    assert decided.route in AUTO
+    assert 0 < decided.relative_error < 1e-14
+
+
+def test_a_plan_explains_every_effect():
+    # Breaks when an effect is neither simulated nor explained.
+    decided = plan(scene(0.3))
+    assert set(decided.called_for) == set(decided.effects_simulated) == {"packing", "branches"}
+    assert not set(decided.called_for) & set(decided.effects_not_called_for)
+    assert len(decided.called_for) + len(decided.effects_not_called_for) == 7
+    assert all(decided.effects_not_called_for.values())
+
+
+@pytest.mark.parametrize("name", list(ROUTES))
+def test_routes_can_be_asked_for(name):
+    # Breaks when a route of the catalogue cannot be named, or names another module.
+    decided = plan(scene(0.3, -0.3), route=name)
+    assert decided.route == name
+    assert decided.relative_error > SCALING_ERROR
+
+
+@pytest.mark.parametrize("name", list(ROUTES))
+@pytest.mark.parametrize("hypothesis", ["kinematic", "static"])
+def test_a_promise_is_kept(name, hypothesis):
+    # Breaks when the predicted cost or accuracy is not the one that the evaluation then reports.
+    for wanted in (None, 1e-3, 1e-11):
+        decided = plan(scene(0.3, -0.3, hypothesis), route=name, rtol=wanted)
+        result = granular.evaluate(scene(0.3, -0.3, hypothesis), route=name, rtol=wanted)
+        assert result.evaluations == decided.evaluations
+        # a coarse rule's bound grows when C1212 is tied to C1111 and C1122, by 5/4 at the most
+        assert decided.relative_error <= result.relative_error <= 1.25 * decided.relative_error
+        assert wanted is None or result.relative_error <= wanted
+
+
+def test_the_wanted_accuracy_comes_from_the_scene_or_the_call():
+    # Breaks when an argument does not win over the scene.
+    assert plan(scene(rtol=1e-6)).rtol == 1e-6
+    assert plan(scene(rtol=1e-6), rtol=1e-9).rtol == 1e-9
+    assert plan(scene()).rtol is None
+
+
+@pytest.mark.parametrize("name", ["auto", *ROUTES])
+@pytest.mark.parametrize("wanted", [1e-20, 1e-17, 5e-324])
+def test_more_than_is_promised_is_refused(name, wanted):
+    # Breaks when a result is handed out that is worse than what was asked for; the remedy must work.
+    with pytest.raises(errors.RouteOutOfDomain, match="rtol") as refused:
+        plan(scene(0.3, -0.3, "static"), rtol=wanted, route=name)
+    asked = float(refused.value.remedy.split("rtol = ")[1].split(",")[0].rstrip("."))
+    assert plan(scene(0.3, -0.3, "static"), rtol=asked, route=name).relative_error <= asked
+    assert (MOST_ACCURATE in refused.value.remedy) == (name != MOST_ACCURATE)
+
+
+@given(st.sampled_from([route.name for route in CATALOGUE]), st.floats(1e-17, 0.5))
+def test_accepted_means_kept(name, wanted):
+    # Breaks when an accuracy is accepted by the plan and refused, or missed, by the route.
+    try:
+        decided = plan(scene(0.3, -0.3, "static"), rtol=wanted, route=name)
+    except errors.RouteOutOfDomain:
+        return
+    assert decided.relative_error <= wanted
+    assert granular.evaluate(scene(0.3, -0.3, "static"), rtol=wanted, route=name).relative_error <= wanted
+
+
+def test_equality_is_accepted():
+    # Breaks when the declared bound itself is refused because a subtraction was rounded.
+    bound = plan(scene(0.3, -0.3, "static")).relative_error
+    assert granular.evaluate(scene(0.3, -0.3, "static"), rtol=bound).relative_error <= bound
+
+
+def test_a_route_that_does_not_serve_the_fabric_is_refused():
+    # Breaks when the static closed form answers outside its series.
+    with pytest.raises(errors.RouteOutOfDomain, match=r"closed_form .*static.*axial"):
+        plan(scene(0.3, STEEP, "static"), route="closed_form")
+    with pytest.raises(errors.RouteOutOfDomain, match="sphere"):
+        plan(scene(0.3, 1.999999, "static"), route="sphere")
+
+
+@pytest.mark.parametrize(("options", "kind"), [
+    ({"route": "axil"}, errors.UnknownChoice), ({"route": ""}, errors.UnknownChoice),
+    ({"route": None}, errors.WrongType), ({"rtol": 0}, errors.ValueOutOfRange),
+    ({"rtol": -1e-9}, errors.ValueOutOfRange), ({"rtol": 1}, errors.ValueOutOfRange),
+    ({"rtol": math.nan}, errors.NotFinite), ({"rtol": math.inf}, errors.NotFinite),
+    ({"rtol": "1e-9"}, errors.WrongType), ({"rtol": True}, errors.WrongType),
+])
+def test_bad_options(options, kind):
+    # Breaks when a misspelt option is taken for a default.
+    with pytest.raises(kind):
+        plan(scene(), **options)
+
+
+@pytest.mark.parametrize("thing", ["scene.toml", None, SOUND])
+def test_only_scenes_are_planned(thing):
+    # Breaks when a path or a dict gets an AttributeError instead of the way to make a scene of it.
+    with pytest.raises(errors.WrongType, match=r"Scene\.from_toml"):
+        plan(thing)
+
+
+@given(st.floats(1e-15, 0.999))
+def test_the_route_gets_what_the_last_steps_leave(rtol):
+    # Breaks when the error of scaling, or of tying C1212, is not taken off the wanted accuracy.
+    left = route_accuracy(rtol)
+    assert left + SCALING_ERROR <= rtol * (1 + 2.0**-52)
+    assert rtol <= COARSE or 1.25 * left < rtol
+
+
+def test_the_public_names_are_functions():
+    # Breaks when a submodule of the same name hides granular.plan or granular.evaluate.
+    assert callable(granular.plan)
+    assert callable(granular.evaluate)
