@@ -1,7 +1,7 @@
 """Drive one headless Chromium over a pipe: open pages from file://, ask them questions, take their picture.
 
-The DevTools protocol over ``--remote-debugging-pipe`` is JSON ended by a zero byte, so the standard library is
-enough, and one browser serves all pages.
+The DevTools protocol over ``--remote-debugging-pipe`` is JSON ended by a zero byte, so the standard library
+is enough, and one browser serves all pages.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Chromium:
         self._profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         read_commands, self._commands = os.pipe()
         self._answers, write_answers = os.pipe()
-        # Chromium reads commands from descriptor 3 and writes answers to descriptor 4; the shell puts ours there.
+        # Chromium reads from descriptor 3 and writes to descriptor 4; the shell puts our pipes there.
         redirect = f'exec "$0" "$@" 3<&{read_commands} 4>&{write_answers}'
         self._process = subprocess.Popen(
             ["bash", "-c", redirect, executable, *FLAGS, f"--user-data-dir={self._profile.name}"],
@@ -128,5 +128,6 @@ class Chromium:
 
 
 def _says_loaded(event: dict[str, Any], loader: str) -> bool:
-    about = event.get("params", {})
-    return event.get("method") == "Page.lifecycleEvent" and (about["loaderId"], about["name"]) == (loader, "load")
+    if event.get("method") != "Page.lifecycleEvent":
+        return False
+    return bool(event["params"]["loaderId"] == loader and event["params"]["name"] == "load")

@@ -1,4 +1,4 @@
-"""Compare two built books file by file: ``python compare_builds.py A B`` prints what differs; exit code 1 if any."""
+"""Compare two built books byte by byte: ``python compare_builds.py A B``; exit code 1 if they differ."""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
-"""The gate on the built book: ``python inspect_book.py BUILD/html [--browser chromium]``; exit code 1 on any problem.
+"""The gate on the built book: ``python inspect_book.py BUILD/html [--browser chromium]``.
 
-Always: a page loads nothing from another machine, every link and anchor leads somewhere, no id is used twice,
-every picture says in words what it shows. With a browser: every page, opened from file:// without a network at
-phone width, typesets all its formulas, reports no error, loads every file it asks for and fits its screen.
+Always: a page loads nothing from another machine, every link and anchor leads somewhere, no id is used
+twice, every picture says in words what it shows. With a browser: every page, opened from file:// without a
+network at phone width, typesets all its formulas, reports no error, loads every file it asks for and fits its
+screen. Exit code 1 on any problem.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ LOADING_ATTRIBUTES = {
 }
 OTHER_MACHINE = re.compile(r"(?:https?:)?//")
 STYLE_LOADS = re.compile(r"""(?:url\(|@import)\s*["']?((?:https?:)?//[^"')\s]+)""")
+LOCAL = ("file:", "data:", "blob:")
 PHONE_WIDTH = 390
 HARMLESS_MESSAGES = (
     "invalid theme mode",  # the theme, on a first visit: no mode is stored yet
@@ -31,11 +33,12 @@ HARMLESS_MESSAGES = (
 )
 QUESTIONS = """
 (() => {
-  const outside = [...document.querySelectorAll('.bd-article *')].filter(node =>
-    node.getBoundingClientRect().right > innerWidth + 1 && !node.closest('.scrolls, pre, mjx-container, svg'));
+  const all = selector => [...document.querySelectorAll(selector)];
+  const outside = all('.bd-article *').filter(node =>
+    node.getBoundingClientRect().right > innerWidth + 1 && !node.closest('pre, mjx-container, svg'));
   return {
-    mathErrors: document.querySelectorAll('mjx-merror, [data-mjx-error]').length,
-    rawFormulas: [...document.querySelectorAll('.math')].filter(node => !node.querySelector('mjx-container')).length,
+    mathErrors: all('mjx-merror, [data-mjx-error]').length,
+    rawFormulas: all('.math').filter(node => !node.querySelector('mjx-container')).length,
     scrollWidth: document.documentElement.scrollWidth,
     width: innerWidth,
     widest: outside.slice(0, 3).map(node => node.tagName.toLowerCase() + '.' + node.className),
@@ -81,7 +84,8 @@ def problems_of_text(root: Path, pages: dict[Path, Page]) -> list[str]:
         found += [f"{name}: id {twice} is used more than once"
                   for twice in sorted({one for one in page.ids if page.ids.count(one) > 1})]
         found += [f"{name}: picture {picture} has no description" for picture in page.unnamed_pictures]
-        found += [f"{name}: loads {url} from another machine" for url in page.loads if OTHER_MACHINE.match(url)]
+        found += [f"{name}: loads {url} from another machine"
+                  for url in page.loads if OTHER_MACHINE.match(url)]
         local = [url for url in page.loads + page.links
                  if not OTHER_MACHINE.match(url) and not url.startswith(("mailto:", "data:"))]
         found += [f"{name}: {problem}" for url in local if (problem := _problem_of_link(page, url, pages))]
@@ -134,7 +138,7 @@ def _problem_of_event(event: dict[str, Any]) -> str:
             text = f"{about['entry']['text']} {about['entry'].get('url', '')}"
         case "Network.loadingFailed" if not about.get("canceled"):
             text = f"a request failed: {about['errorText']}"
-        case "Network.requestWillBeSent" if not about["request"]["url"].startswith(("file:", "data:", "blob:")):
+        case "Network.requestWillBeSent" if not about["request"]["url"].startswith(LOCAL):
             text = f"asks another machine for {about['request']['url']}"
         case _:
             return ""

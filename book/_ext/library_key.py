@@ -1,8 +1,9 @@
 """Compute the pages with the library beside the book, and again whenever that library changes.
 
-The execution cache of Jupyter Book keys on the text of a page alone, and Sphinx reads a page again only when the
-page itself changed; both would go on showing the numbers of an older library. So a digest of everything that
-decides the numbers is part of the cache's path, and a configuration value whose change makes Sphinx read all pages.
+The execution cache of Jupyter Book keys on the text of a page alone, and Sphinx reads a page again only when
+the page itself changed; both would go on showing the numbers of an older library. So a digest of everything
+that decides the numbers is part of the cache's path, and a configuration value whose change makes Sphinx read
+all pages.
 """
 
 from __future__ import annotations
@@ -22,13 +23,14 @@ WATCHED = (
     "granular/**/*.json",
     "derivations/**/*.py",
     "book/_data/**/*",
-    "book/_ext/*.py",
+    "book/_ext/**/*.py",
+    "book/_formulas/*.md",
     "constraints.txt",
 )
 
 
 def library_digest(root: Path) -> str:
-    """Digest of the interpreter's version and of the names and contents of all watched files below ``root``."""
+    """Digest of the interpreter's version and of all watched files below ``root``, names and contents."""
     digest = hashlib.sha256(sys.version.encode())
     for pattern in WATCHED:
         for path in sorted(path for path in root.glob(pattern) if path.is_file()):
@@ -37,10 +39,11 @@ def library_digest(root: Path) -> str:
 
 
 def use_library(app: Sphinx, config: Config) -> None:
-    """Point the kernels at the library beside the book, whatever is installed, and key the cache on it."""
+    """Point the kernels at the library and the page tools beside the book; key the cache on them."""
     root = Path(app.srcdir).parent
     inherited = os.environ.get("PYTHONPATH")
-    os.environ["PYTHONPATH"] = os.pathsep.join([str(root), *([inherited] if inherited else [])])
+    before = [str(root), str(root / "book" / "_ext")]
+    os.environ["PYTHONPATH"] = os.pathsep.join([*before, inherited] if inherited else before)
     config["library_key"] = library_digest(root)
     config["nb_execution_cache_path"] = str(Path(app.outdir).parent / ".jupyter_cache" / library_digest(root))
 

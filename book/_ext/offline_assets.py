@@ -1,7 +1,7 @@
 """Ship MathJax and plotly.js with the book, so that a reader needs no other machine.
 
-They are copied into the output instead of lying in ``_static``, because Jupyter Book loads every script it finds
-there on every page. Copying comes before the pages are written: their checksums are part of the pages.
+They are copied into the output instead of lying in ``_static``, because Jupyter Book loads every script it
+finds there on every page. Copying comes before the pages are written: their checksums are part of the pages.
 """
 
 from __future__ import annotations

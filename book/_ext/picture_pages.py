@@ -1,6 +1,6 @@
 """Picture every page for a look by eye: ``python picture_pages.py BUILD/html OUT [PAGE ...]``.
 
-Each page is taken whole, at desktop and at phone width, light and dark: ``OUT/page-1280-light.png`` and so on.
+Each page is taken whole, at desktop and phone width, light and dark: ``OUT/page-1280-light.png`` and so on.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from chromium import Chromium
 
 WIDTHS = (1280, 390)
 TALLEST = 16000  # Chromium does not paint taller pictures
+SETTLED = "new Promise(resolve => setTimeout(resolve, 600))"  # the theme slides its sidebars in
 
 
 def main() -> None:
@@ -32,6 +33,7 @@ def main() -> None:
                     browser.open(page, width=width, dark=mode == "dark")
                     tall = min(TALLEST, int(browser.ask("document.documentElement.scrollHeight")))
                     browser.open(page, width=width, height=tall, dark=mode == "dark")
+                    browser.ask(SETTLED)
                     browser.picture(options.out / f"{name}-{width}-{mode}.png", width=width, height=tall)
 
 

@@ -1,0 +1,80 @@
+"""Text that a page shows: boxes and tables, as MyST, with the same rows as a CSV file to take away."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import io
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+
+class Shown(Protocol):
+    """Anything that a notebook can show as Markdown."""
+
+    def _repr_markdown_(self) -> str: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Markup:
+    """MyST text that a cell shows as if it stood in the page."""
+
+    text: str
+
+    def _repr_markdown_(self) -> str:
+        return self.text
+
+
+def boxed(title: str, *parts: Shown) -> Markup:
+    """Put parts into the box in which a page states its result."""
+    body = "\n\n".join(part._repr_markdown_() for part in parts)
+    return Markup(f"::::::{{admonition}} {title}\n:class: result\n\n{body}\n\n::::::\n")
+
+
+def table(
+    header: Sequence[str], rows: Iterable[Sequence[str]], *, label: str, caption: str,
+    align: str = "", take_away: str = "",
+) -> Markup:
+    """Number a table so that pages can refer to it.
+
+    Parameters
+    ----------
+    header : sequence of str
+        Column heads.
+    rows : iterable of sequence of str
+        Cells as they shall appear.
+    label, caption : str
+        Name to refer to, and what the table shows.
+    align : str
+        One letter a column, ``l`` or ``r``; left when absent.
+    take_away : str
+        Name of a CSV file with the same rows, offered below the table; none when empty.
+    """
+    kept = [list(row) for row in rows]
+    rule = [":---" if side == "l" else "---:" for side in align or "l" * len(header)]
+    lines = [header, rule, *kept]
+    grid = "\n".join("| " + " | ".join(line) + " |" for line in lines)
+    link = _csv_link(take_away, header, kept) if take_away else ""
+    return Markup(f":::{{table}} {caption}\n:name: {label}\n\n{grid}\n\n:::\n{link}")
+
+
+def _csv_link(name: str, header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(header)
+    writer.writerows(rows)
+    data = base64.b64encode(text.getvalue().encode()).decode()
+    return (f'\n<p class="take-away"><a download="{name}" href="data:text/csv;base64,{data}">'
+            f"these rows as {name}</a></p>\n")
+
+
+_TYPOGRAPHY = {"<=": "≤", ">=": "≥", "^2": "²", "^3": "³", "^4": "⁴", " - ": " − "}
+_SPECIAL = str.maketrans({character: f"\\{character}" for character in "\\`*_{}[]<>|$"})
+
+
+def plain(text: str) -> str:
+    """Set plain text of a record in a page: signs as in print, nothing taken for markup."""
+    for typed, printed in _TYPOGRAPHY.items():
+        text = text.replace(typed, printed)
+    return text.translate(_SPECIAL)

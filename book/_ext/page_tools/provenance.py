@@ -1,0 +1,38 @@
+"""With which versions and from which data the pages were computed."""
+
+from __future__ import annotations
+
+import hashlib
+import platform
+from importlib.metadata import version
+from pathlib import Path
+
+from page_tools.markup import Markup, table
+
+PACKAGES = ("granular", "sympy", "numpy", "scipy", "python-flint", "matplotlib", "plotly", "pydantic",
+            "jupyter-book", "Sphinx", "myst-nb", "sphinx-book-theme")
+DATA_FILES = {
+    "_data/table_ii.csv": "printed ratios of Table II",
+    "_data/isotropic_28kpa.csv": "printed stiffness of the isotropic assemblies",
+    "_data/table_ii_case_3.toml": "scene of Table II, case 3",
+    "_data/cost.json": "measured times and errors of every route",
+}
+
+
+def versions() -> Markup:
+    """List the versions that decide the numbers and the pages."""
+    rows = [["Python", platform.python_version()], *([name, version(name)] for name in PACKAGES)]
+    return table(["what", "version"], rows, label="tab-versions",
+                 caption="Versions with which these pages were computed and built.")
+
+
+def data_files() -> Markup:
+    """List the data files with their digests."""
+    rows = [[f"{{download}}`{Path(name).name} <{name}>`", meaning, f"`{_digest(Path(name))}`"]
+            for name, meaning in DATA_FILES.items()]
+    return table(["file", "what it holds", "SHA-256"], rows, label="tab-data",
+                 caption="Data files of this book.")
+
+
+def _digest(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()

@@ -1,0 +1,76 @@
+"""A derivation on a page: what it assumes, then its steps, each checked by the machine while the page is built."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from derivations.catalogue import derivation
+from derivations.present import verdict
+from derivations.record import Derivation, Step
+from page_tools.markup import Markup
+
+_DEFINITION = re.compile(r"([^=<>,]{1,40}?)=(?!\s*0:)")
+LONGEST_ALIGNED = 55
+"""Formulas up to this many visible signs are set below one another; longer ones stand alone and can be broken."""
+
+
+def assumptions(name: str) -> Markup:
+    """List what a derivation assumes, where its result holds, and the equations of the paper it starts from."""
+    record = derivation(name)
+    lines = [*record.assumptions, f"Holds for {'; '.join(record.domain)}."]
+    if record.sources:
+        lines.append(f"Equations of the paper: {', '.join(record.sources)}.")
+    return Markup("\n".join(f"- {line}" for line in lines) + "\n")
+
+
+def steps(name: str, *, first: int = 1, last: int | None = None) -> Markup:
+    """Show steps of a derivation; one that does not hold stops the build.
+
+    Parameters
+    ----------
+    name : str
+        Name of the derivation.
+    first, last : int
+        Numbers of the first and the last step shown, counting from 1; all by default.
+    """
+    record = derivation(name)
+    shown = [(number, step) for number, step in enumerate(record.steps, start=1)
+             if first <= number <= (last or len(record.steps))]
+    return Markup("\n".join(_step(record, number, step) for number, step in shown))
+
+
+def _step(record: Derivation, number: int, step: Step) -> str:
+    if not step.holds():
+        raise AssertionError(f"{record.name}, step {number}: {verdict(step)}")
+    label = f"eq-{record.name.replace('_', '-')}-{number}"
+    return (f"{{.step}}\n[{number}]{{.step-number}} **{step.title}** [{_mark(step)}]{{.verdict}}\n\n"
+            f"{step.because}\n\n{_display(step.shown, label)}")
+
+
+def _mark(step: Step) -> str:
+    return f"✓ {verdict(step)}" if step.claims else verdict(step)
+
+
+def _display(formulas: Sequence[str], label: str) -> str:
+    """Set formulas under one number where they are short; else each alone, the last one numbered."""
+    if not formulas:
+        return ""
+    if len(formulas) > 1 and max(map(_signs, formulas)) <= LONGEST_ALIGNED:
+        environment, rows = _rows(formulas)
+        below = " \\\\[3pt]\n".join(rows)
+        return f"$$\n\\begin{{{environment}}}\n{below}\n\\end{{{environment}}}\n$$ ({label})\n"
+    *before, final = formulas
+    return "\n".join(f"$$\n{formula}\n$$\n" for formula in before) + f"\n$$\n{final}\n$$ ({label})\n"
+
+
+def _signs(formula: str) -> int:
+    """Count about how many signs a reader sees in a formula."""
+    return len(re.sub(r"\\[a-zA-Z]+|[\\{}_^\s]", " ", formula).replace(" ", ""))
+
+
+def _rows(formulas: Sequence[str]) -> tuple[str, Sequence[str]]:
+    """Align definitions at their equality signs; centre what is not all definitions."""
+    if all(_DEFINITION.match(formula) for formula in formulas):
+        return "aligned", [_DEFINITION.sub(r"\1&=", formula, count=1) for formula in formulas]
+    return "gathered", formulas
