@@ -38,7 +38,7 @@ def fabric_figure(fabric: AxialFabric) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Three panels; the dashed circle is an isotropic assembly.
+        Three panels: contacts full, branches dashed, and a dotted circle for an isotropic assembly.
 
     Notes
     -----
@@ -48,9 +48,9 @@ def fabric_figure(fabric: AxialFabric) -> Figure:
     density, weight, greatest = _radii(fabric)
 
     section = figure.add_axes((0.09, 0.19, 0.36, 0.73))
-    draw_section(section, lambda cosine: 1 + 0 * cosine, SOFT_INK, dashed=True)
+    draw_section(section, lambda cosine: 1 + 0 * cosine, SOFT_INK, line=":")
     draw_section(section, density, BLUE)
-    draw_section(section, weight, VERMILION)
+    draw_section(section, weight, VERMILION, line="--")
     frame_section(section, 1.12 * greatest, "–")
     for place, text, colour in ((0.0, "$4\\pi E$", BLUE), (0.5, "isotropic", SOFT_INK), (1.0, "$W$", VERMILION)):
         section.text(place, 1.02, text, color=readable(colour), transform=section.transAxes, va="bottom",

@@ -23,7 +23,7 @@ SUFFIXES = (*STATIC_SUFFIXES, INTERACTIVE_SUFFIX)
 _WITHOUT_DATES = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None},
                   "pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
 
-PLOTLY_OPTIONS = {"displaylogo": False, "responsive": True, "plotlyServerURL": "",
+PLOTLY_OPTIONS = {"displaylogo": False, "responsive": True,
                   "modeBarButtonsToRemove": ["sendChartToCloud", "zoom3d", "pan3d", "orbitRotation", "tableRotation",
                                              "resetCameraLastSave3d", "select2d", "lasso2d", "autoScale2d"]}
 """No logo, the width of the page, no button that would send the data to a server, and few others."""

@@ -41,7 +41,7 @@ def stiffness_figure(stiffness: Stiffness) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Two panels.
+        Two panels; the confined stiffness is dashed.
 
     Notes
     -----
@@ -50,8 +50,8 @@ def stiffness_figure(stiffness: Stiffness) -> Figure:
     young, confined, greatest, unit = _radii(stiffness)
     figure = blank(height=2.9, layout=None)
     section = figure.add_axes((0.11, 0.17, 0.44, 0.74))
-    draw_section(section, confined, VERMILION)
     draw_section(section, young, BLUE)
+    draw_section(section, confined, VERMILION, line="--")
     frame_section(section, 1.1 * greatest, unit)
     for place, text, colour, anchor in ((0.0, "Young's modulus", BLUE, "left"),
                                         (1.0, "$C_{nnnn}$", VERMILION, "right")):

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 TO_TURN = (49, 61)
 """Points from pole to pole and once around in an interactive figure: smooth to the eye, some 50 kB a surface."""
 
-IN_PRINT = (97, 97)
+IN_PRINT = (109, 61)
 """The same in a static figure, where no interpolation hides the faces."""
 
 
@@ -202,7 +202,7 @@ def plotly_space(reach: float) -> dict[str, Any]:
             "camera": {"eye": {"x": 1.0, "y": 1.0, "z": 0.65}}}
 
 
-def draw_section(axes: Axes, radius: Radius, colour: str, *, dashed: bool = False) -> tuple[Array, Array]:
+def draw_section(axes: Axes, radius: Radius, colour: str, *, line: str = "-") -> tuple[Array, Array]:
     """Draw the cut of a surface with a plane that holds axis 3.
 
     Parameters
@@ -213,8 +213,8 @@ def draw_section(axes: Axes, radius: Radius, colour: str, *, dashed: bool = Fals
         Takes an array of cosines [-], gives an array of distances, any unit.
     colour : str
         Of the curve.
-    dashed : bool
-        Whether to dash it.
+    line : str
+        matplotlib's line style; curves that may coincide need different ones.
 
     Returns
     -------
@@ -230,7 +230,7 @@ def draw_section(axes: Axes, radius: Radius, colour: str, *, dashed: bool = Fals
     angle = np.linspace(0.0, 2 * np.pi, 361)
     distance = radius(np.cos(angle))
     x, y = distance * np.sin(angle), distance * np.cos(angle)
-    axes.plot(x, y, color=colour, linestyle=(0, (4, 2)) if dashed else "-")
+    axes.plot(x, y, color=colour, linestyle=line)
     return x, y
 
 
