@@ -32,14 +32,14 @@ def number(value: SupportsFloat, name: str) -> float:
     Parameters
     ----------
     value : number
-        Any unit.
+        What is given [any unit].
     name : str
         What it is, for the message.
 
     Returns
     -------
     float
-        The same number, same unit.
+        The same number [same unit].
 
     Raises
     ------
@@ -71,7 +71,7 @@ def symmetric_rows(matrix: Matrix, meaning: str) -> Rows:
     Parameters
     ----------
     matrix : (6, 6) numbers
-        Mandel matrix in any unit.
+        Mandel matrix [any unit].
     meaning : str
         ``"stiffness"`` or ``"compliance"``, for the message.
 
@@ -115,12 +115,12 @@ def axial_rows(six: Six) -> Rows:
     Parameters
     ----------
     six : tuple of 6 float
-        X1111, X3333, X1122, X1133, X2323, X1212, any unit.
+        X1111, X3333, X1122, X1133, X2323, X1212 [any unit].
 
     Returns
     -------
     tuple of 6 tuples of 6 float
-        The rows, same unit.
+        The rows [same unit].
 
     Notes
     -----
@@ -138,12 +138,12 @@ def six_of(rows: Rows) -> Six:
     Parameters
     ----------
     rows : tuple of 6 tuples of 6 float
-        Mandel matrix, any unit.
+        Mandel matrix [any unit].
 
     Returns
     -------
     tuple of 6 float
-        The components, same unit.
+        The components [same unit].
 
     Notes
     -----
@@ -158,12 +158,12 @@ def size_of(values: Iterable[float]) -> float:
     Parameters
     ----------
     values : floats
-        Any unit; not all zero.
+        Not all zero [any unit].
 
     Returns
     -------
     float
-        A power of two, same unit: dividing by it costs no digit.
+        A power of two [same unit]: dividing by it costs no digit.
 
     Notes
     -----
@@ -183,7 +183,7 @@ def is_axial(rows: Rows) -> bool:
     Parameters
     ----------
     rows : tuple of 6 tuples of 6 float
-        Mandel matrix, any unit.
+        Mandel matrix [any unit].
 
     Returns
     -------
@@ -207,7 +207,7 @@ def built_from_six(rows: Rows) -> bool:
     Parameters
     ----------
     rows : tuple of 6 tuples of 6 float
-        Mandel matrix, any unit.
+        Mandel matrix [any unit].
 
     Returns
     -------
@@ -227,7 +227,7 @@ def axial_is_positive(six: Six) -> bool:
     Parameters
     ----------
     six : tuple of 6 float
-        X1111, X3333, X1122, X1133, X2323, X1212, any unit.
+        X1111, X3333, X1122, X1133, X2323, X1212 [any unit].
 
     Returns
     -------
@@ -248,14 +248,14 @@ def axial_inverse(six: Six, meaning: str) -> Six:
     Parameters
     ----------
     six : tuple of 6 float
-        X1111, X3333, X1122, X1133, X2323, X1212, any unit.
+        X1111, X3333, X1122, X1133, X2323, X1212 [any unit].
     meaning : str
         ``"stiffness"`` or ``"compliance"``, for the message.
 
     Returns
     -------
     tuple of 6 float
-        The same components of the inverse tensor, in the inverse unit.
+        The same components of the inverse tensor [inverse unit].
 
     Raises
     ------
@@ -289,14 +289,14 @@ def general_inverse(rows: Rows, meaning: str) -> Rows:
     Parameters
     ----------
     rows : tuple of 6 tuples of 6 float
-        Mandel matrix, any unit.
+        Mandel matrix [any unit].
     meaning : str
         ``"stiffness"`` or ``"compliance"``, for the message.
 
     Returns
     -------
     tuple of 6 tuples of 6 float
-        The inverse, in the inverse unit.
+        The inverse [inverse unit].
 
     Raises
     ------
@@ -324,7 +324,7 @@ def turned(rows: Rows, rotation: ArrayLike, meaning: str) -> Rows:
     Parameters
     ----------
     rows : tuple of 6 tuples of 6 float
-        Mandel matrix, any unit.
+        Mandel matrix [any unit].
     rotation : (3, 3) array
         Orthogonal matrix R [-].
     meaning : str
@@ -333,7 +333,7 @@ def turned(rows: Rows, rotation: ArrayLike, meaning: str) -> Rows:
     Returns
     -------
     tuple of 6 tuples of 6 float
-        The turned matrix, same unit.
+        The turned matrix [same unit].
 
     Raises
     ------

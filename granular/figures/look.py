@@ -168,13 +168,13 @@ def label_curves(axes: Axes, x: float, heights: Sequence[float], texts: Sequence
     axes : Axes
         Where the curves are; its limits must be final.
     x : float
-        Where the curves end, in data units.
+        Where the curves end [data units].
     heights : sequence of float
-        Where each curve ends, in data units.
+        Where each curve ends [data units].
     texts, colours : sequence of str
         Name and colour of each curve.
     gap : float
-        Least distance of two names, in data units of the vertical axis.
+        Least distance of two names [data units of the vertical axis].
 
     Notes
     -----
@@ -226,14 +226,14 @@ def spread(heights: Sequence[float], gap: float) -> list[float]:
     Parameters
     ----------
     heights : sequence of float
-        In rising order, any unit.
+        In rising order [any unit].
     gap : float
-        Least distance, same unit.
+        Least distance [same unit].
 
     Returns
     -------
     list of float
-        In rising order, same unit; groups stay centred on where they came from.
+        In rising order [same unit]; groups stay centred on where they came from.
 
     Notes
     -----

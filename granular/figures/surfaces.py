@@ -31,7 +31,7 @@ class Surface:
     Attributes
     ----------
     x, y, z : (parallels, meridians) array
-        Coordinates along axes 1, 2, 3, in the unit of the radius.
+        Coordinates along axes 1, 2, 3 [unit of the radius].
     radius : (parallels, meridians) array
         Distance from the centre.
     """
@@ -48,7 +48,7 @@ def surface(radius: Radius, points: tuple[int, int]) -> Surface:
     Parameters
     ----------
     radius : callable
-        Takes an array of cosines [-], gives an array of distances, any unit.
+        Takes an array of cosines [-], gives an array of distances [any unit].
     points : tuple of 2 int
         ``TO_TURN`` or ``IN_PRINT`` [-].
 
@@ -83,9 +83,9 @@ def draw_surface(axes: Any, shown: Surface, *, reach: float, low: float, high: f
     shown : Surface
         What to draw.
     reach : float
-        Half the side of the cube that is shown, in the unit of the radius.
+        Half the side of the cube that is shown [unit of the radius].
     low, high : float
-        Ends of the colour scale, same unit.
+        Ends of the colour scale [unit of the radius].
     zoom : float
         How much of the panel the cube fills [-].
 
@@ -129,7 +129,7 @@ def plotly_surface(shown: Surface, *, low: float, high: float, name: str, **more
     shown : Surface
         What to draw.
     low, high : float
-        Ends of the colour scale, in the unit of the radius.
+        Ends of the colour scale [unit of the radius].
     name : str
         What the pointer says.
     **more
@@ -161,7 +161,7 @@ def plotly_axes(reach: float) -> list[Any]:
     Parameters
     ----------
     reach : float
-        Length of each, in the unit of the radius.
+        Length of each [unit of the radius].
 
     Returns
     -------
@@ -186,7 +186,7 @@ def plotly_space(reach: float) -> dict[str, Any]:
     Parameters
     ----------
     reach : float
-        Half the side of the cube that is shown, in the unit of the radius.
+        Half the side of the cube that is shown [unit of the radius].
 
     Returns
     -------
@@ -210,7 +210,7 @@ def draw_section(axes: Axes, radius: Radius, colour: str, *, line: str = "-") ->
     axes : Axes
         Where to draw.
     radius : callable
-        Takes an array of cosines [-], gives an array of distances, any unit.
+        Takes an array of cosines [-], gives an array of distances [any unit].
     colour : str
         Of the curve.
     line : str
@@ -219,7 +219,7 @@ def draw_section(axes: Axes, radius: Radius, colour: str, *, line: str = "-") ->
     Returns
     -------
     x, y : (361,) array
-        The curve: horizontal and along axis 3, in the unit of the radius.
+        The curve: horizontal and along axis 3 [unit of the radius].
 
     Notes
     -----
@@ -242,7 +242,7 @@ def frame_section(axes: Axes, side: float, unit: str) -> None:
     axes : Axes
         Holds a section.
     side : float
-        Half the side of what is shown, in the unit of the radius.
+        Half the side of what is shown [unit of the radius].
     unit : str
         Of the radius.
 
