@@ -78,9 +78,9 @@ class Number(Kind):
     remedy: str = "Give a value inside the interval."
 
     def read(self, value: object, name: str) -> float:
-        """Read the number in SI units, or refuse it."""
-        number = (finite_number(value, name=name) if self.dimension is None
-                  else in_si(value, self.dimension, name=name))
+        """Read the number in SI units, or refuse it; the zero that comes out has no sign."""
+        number = 0.0 + (finite_number(value, name=name) if self.dimension is None
+                        else in_si(value, self.dimension, name=name))
         inside = ((self.above is None or number > self.above)
                   and (self.at_least is None or number >= self.at_least)
                   and (self.at_most is None or number <= self.at_most)

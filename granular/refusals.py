@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -48,18 +49,28 @@ def one_sentence(model: type[BaseModel], *, homes: Homes) -> Iterator[None]:
 
 
 def _first_of(error: ValidationError, model: type[BaseModel], homes: Homes) -> GranularError:
-    """The mistake to report: an unknown key before all others, for it often makes another one missing."""
-    mistakes = [_refusal(item, model, homes) for item in error.errors(include_url=False)]
-    mistakes.sort(key=lambda mistake: not isinstance(mistake, UnknownKey))
-    first = mistakes[0]
-    more = sum(1 + mistake.more for mistake in mistakes) - 1
+    """The mistake to report: an unknown key before all others, for it often makes another one missing.
+
+    Only that one is put into words. A hostile file can have as many mistakes as it has bytes.
+    """
+    items = error.errors(include_url=False)
+    first = _refusal(min(items, key=lambda item: not _is_unknown_key(item)), model, homes)
+    more = len(items) - 1 + sum(getattr(_inner(item), "more", 0) for item in items)
     return type(first)(first.found, allowed=first.allowed, remedy=first.remedy, more=more)
+
+
+def _is_unknown_key(item: Any) -> bool:
+    return item["type"] == "extra_forbidden" or isinstance(_inner(item), UnknownKey)
+
+
+def _inner(item: Any) -> Any:
+    return item.get("ctx", {}).get("error")
 
 
 def _refusal(item: Any, model: type[BaseModel], homes: Homes) -> GranularError:
     """One mistake. A refusal from a table inside this one is already worded and only lacks the table's name."""
     name = ".".join(str(part) for part in item["loc"])
-    inner = item.get("ctx", {}).get("error")
+    inner = _inner(item)
     if isinstance(inner, GranularError):
         found = inner.found if not name or _is_leaf(name, model) else f"{name}.{inner.found}"
         return type(inner)(found, allowed=inner.allowed, remedy=inner.remedy, more=inner.more)
@@ -81,7 +92,7 @@ def _is_leaf(name: str, model: type[BaseModel]) -> bool:
 
 def _unknown_key(key: str, model: type[BaseModel], homes: Homes) -> UnknownKey:
     known = list(model.model_fields)
-    written = shown(key)[1:-1]
+    written = key if re.fullmatch(r"[\w-]{1,60}", key) else shown(key)
     listed = f"The keys here are {', '.join(known)}."
     if (home := homes().get(key)) is not None:
         return UnknownKey(f"{written} is not a known key here", allowed=f"it belongs in [{home}]",

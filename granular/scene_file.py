@@ -11,6 +11,10 @@ from typing import Any
 from granular.errors import FileTooLarge, FileUnreadable, NotToml
 from granular.units import shown
 
+MOST_DOTS = 100
+"""Most dots in one line that is no comment. Dotted keys cost the parser the square of their length, and the longest
+line of a scene, a stress tensor of nine numbers, has nine dots."""
+
 LARGEST = 1 << 20
 """Largest scene file [byte]; a scene is some hundred bytes long, so anything larger is not one."""
 
@@ -43,6 +47,7 @@ def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:
     except UnicodeDecodeError as error:
         raise NotToml(f"{name} has a byte at position {error.start} that is not UTF-8",
                       allowed="allowed TOML text in UTF-8", remedy="Save the file as UTF-8.") from None
+    _refuse_long_keys(text, name)
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -55,6 +60,14 @@ def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:
         # the one thing that tomllib leaves to int(): Python refuses to read integers of more than 4300 digits
         raise NotToml(f"{name} has an integer of too many digits", allowed="allowed numbers up to 1.8e+308",
                       remedy="Write a shorter number.") from None
+
+
+def _refuse_long_keys(text: str, name: str) -> None:
+    for number, line in enumerate(text.split("\n"), start=1):
+        if line.count(".") > MOST_DOTS and not line.lstrip().startswith("#"):
+            raise NotToml(f"{name} has {line.count('.')} dots in line {number}",
+                          allowed=f"allowed up to {MOST_DOTS}, far more than any line of a scene has",
+                          remedy="Write a scene, its keys two tables deep.")
 
 
 def _bytes_of(path: Path, name: str) -> bytes:

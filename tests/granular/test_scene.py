@@ -121,6 +121,12 @@ def test_an_axial_tensor_is_its_D33(D33):
     assert by_tensor.fabric == Scene.model_validate(changed(packing__contact_normals={"D33": D33})).fabric
 
 
+def test_zero_has_no_sign():
+    # Breaks when -0.0 of a file comes out as -0.0 in a result.
+    scene = Scene.model_validate(changed(grains__poisson_ratio=-0.0, branches={"anisotropy": {"D33": -0.0}}))
+    assert math.copysign(1.0, scene.grains.poisson_ratio) == math.copysign(1.0, scene.fabric.Dr33) == 1.0
+
+
 def test_stress_by_tensor():
     # Breaks when the mean is not a third of the trace, or the principal stresses lose exactness.
     stress = Stress(tensor=diagonal("10 kPa", 1e4, "40 kPa"))
@@ -173,6 +179,9 @@ WRONG = [
      ["packing.packing_density"]),
     ("nothing like it", changed(zzz=1), "UnknownKey", ["zzz", "grains, packing"]),
     ("line break in a key", changed(**{"a\nb": 1}), "UnknownKey", ["a\\nb"]),
+    ("empty key", changed(**{"": 1}), "UnknownKey", ['"" is not a known key']),
+    ("long key", changed(**{"k" * 100000: 1}), "UnknownKey", ["kkk..."]),
+    ("a thousand keys", changed(packing={f"k{i}": 1 for i in range(1000)}), "UnknownKey", ["k0", "1000 more"]),
     ("missing key", changed(grains__shear_modulus=None), "MissingKey", ["grains.shear_modulus"]),
     ("missing table", {"grains": SOUND["grains"], "packing": SOUND["packing"]}, "MissingKey", ["stress"]),
     ("empty", {}, "MissingKey", ["grains", "2 more mistakes"]),
@@ -351,7 +360,9 @@ BAD_FILES = {
     "infinite": (FILE + "[packing]\nvoid_ratio = inf\n", errors.NotFinite, ["packing.void_ratio = inf"]),
     "overflow": (FILE + "[packing]\nvoid_ratio = 1e400\n", errors.NotFinite, ["packing.void_ratio = inf"]),
     "date": (FILE + "[packing]\nvoid_ratio = 1979-05-27\n", errors.WrongType, ["packing.void_ratio"]),
-    "dotted nonsense": (".".join("a" * 500) + " = 1\n", errors.UnknownKey, ["a is not a known key"]),
+    "dotted nonsense": (".".join("a" * 100) + " = 1\n", errors.UnknownKey, ["a is not a known key"]),
+    "dots without end": ("\n" + ".".join("a" * 250000) + " = 1\n", errors.NotToml, ["249999 dots in line 2"]),
+    "a table name without end": ("[" + ".".join("a" * 250000) + "]\n", errors.NotToml, ["line 1"]),
     "array of tables": (FILE + "[[packing]]\nvoid_ratio = 0.5\n", errors.WrongType, ["packing"]),
 }
 

@@ -1,5 +1,7 @@
-"""Start-up: what is loaded before something needs it. Modules are counted, not seconds: a time would be a verdict
-on the machine."""
+"""Start-up: what is loaded before something needs it.
+
+Modules are counted, not seconds: a time would be a verdict on the machine.
+"""
 
 from __future__ import annotations
 
