@@ -14,6 +14,7 @@ from granular.figures.surfaces import (
     draw_surface,
     frame_section,
     plotly_axes,
+    plotly_bar,
     plotly_space,
     plotly_surface,
     surface,
@@ -85,14 +86,14 @@ def fabric_interactive(fabric: AxialFabric) -> Any:
     from plotly import graph_objects
 
     density, weight, greatest = _radii(fabric)
-    bar = {"title": {"text": "value [–]"}, "thickness": 12, "len": 0.6}
+    bar = plotly_bar("distance from the centre [–]")
     surfaces = [plotly_surface(surface(radius, TO_TURN), low=0, high=greatest, name=name, visible=shown, colorbar=bar)
                 for radius, name, shown in ((density, "4πE", True), (weight, "W", False))]
     figure = graph_objects.Figure([*surfaces, *plotly_axes(1.2 * greatest)])
     buttons = [{"method": "restyle", "label": label, "args": [{"visible": [first, not first]}, [0, 1]]}
-               for label, first in (("4πE, contact normals", True), ("W, branch lengths", False))]
+               for label, first in (("4πE (contacts)", True), ("W (branches)", False))]
     figure.update_layout(**plotly_layout(
-        scene=plotly_space(1.2 * greatest), height=560,
+        scene=plotly_space(1.2 * greatest), height=480,
         updatemenus=[{"type": "buttons", "direction": "right", "buttons": buttons, "x": 0.0, "xanchor": "left",
                       "y": 1.06, "yanchor": "top", "showactive": True}]))
     return figure

@@ -13,6 +13,7 @@ from granular.figures.surfaces import (
     TO_TURN,
     draw_surface,
     plotly_axes,
+    plotly_bar,
     plotly_space,
     plotly_surface,
     surface,
@@ -77,10 +78,11 @@ def figure_5_interactive() -> Any:
     from plotly import graph_objects
 
     start = SLIDER.index(-0.3)
+    bar = plotly_bar("distance from the centre [–]", tickvals=[0, 0.5, 1, 1.5])
     shown = [(partial(branch_weight, AxialFabric(Dr33=value)), "W") for value in SLIDER]
     shown.append((partial(relative_density, AxialFabric(D33=NORMALS)), "4πE"))
     surfaces = [plotly_surface(surface(radius, TO_TURN), low=LOW, high=HIGH, name=name, visible=state == start,
-                               colorbar=_bar()) for state, (radius, name) in enumerate(shown)]
+                               colorbar=bar) for state, (radius, name) in enumerate(shown)]
 
     def only(state: int, **layout: Any) -> dict[str, Any]:
         visible = [other == state for other in range(len(surfaces))]
@@ -91,15 +93,11 @@ def figure_5_interactive() -> Any:
                {"label": f"4πE, D₃₃ = {NORMALS}", **only(len(SLIDER), **{"sliders[0].visible": False})}]
     figure = graph_objects.Figure([*surfaces, *plotly_axes(REACH * 1.15)])
     figure.update_layout(**plotly_layout(
-        scene=plotly_space(REACH * 1.15), height=520,
+        scene=plotly_space(REACH * 1.15), height=560,
         sliders=[{"active": start, "steps": steps, "currentvalue": {"prefix": "Dʳ₃₃ = "}, "pad": {"t": 10, "b": 10}}],
         updatemenus=[{"type": "buttons", "direction": "right", "buttons": buttons, "x": 0.0, "xanchor": "left",
                       "y": 1.08, "yanchor": "top", "showactive": True}]))
     return figure
-
-
-def _bar() -> dict[str, Any]:
-    return {"title": {"text": "value [–]"}, "thickness": 12, "len": 0.6, "tickvals": [0, 0.5, 1, 1.5]}
 
 
 def _signed(value: float) -> str:

@@ -13,6 +13,7 @@ from granular.figures.surfaces import (
     draw_surface,
     frame_section,
     plotly_axes,
+    plotly_bar,
     plotly_space,
     plotly_surface,
     surface,
@@ -85,11 +86,11 @@ def stiffness_interactive(stiffness: Stiffness) -> Any:
 
     young, _, greatest, unit = _radii(stiffness)
     shown = surface(young, TO_TURN)
-    bar = {"title": {"text": f"Young's<br>modulus<br>[{unit}]"}, "thickness": 12, "len": 0.6}
+    bar = plotly_bar(f"Young's modulus [{unit}]")
     figure = graph_objects.Figure([
         plotly_surface(shown, name=f"Young's modulus [{unit}]", colorbar=bar, **_ends(shown.radius)),
         *plotly_axes(1.2 * greatest)])
-    figure.update_layout(**plotly_layout(scene=plotly_space(1.2 * greatest), height=560))
+    figure.update_layout(**plotly_layout(scene=plotly_space(1.2 * greatest), height=480))
     return figure
 
 

@@ -155,6 +155,29 @@ def plotly_surface(shown: Surface, *, low: float, high: float, name: str, **more
         lightposition={"x": 1500, "y": 700, "z": 1500}, **more)
 
 
+def plotly_bar(title: str, **more: Any) -> dict[str, Any]:
+    """Settings of a colour bar under the scene, where a narrow page has room for it.
+
+    Parameters
+    ----------
+    title : str
+        What the colours mean, with its unit.
+    **more
+        Anything else that plotly's colour bar takes.
+
+    Returns
+    -------
+    dict
+        For ``colorbar`` of a surface.
+
+    Notes
+    -----
+    Source: the look of this package.
+    """
+    return {"title": {"text": title, "side": "top"}, "orientation": "h", "thickness": 10, "len": 0.7,
+            "x": 0.5, "xanchor": "center", "y": 0.0, "yanchor": "bottom", "nticks": 6, **more}
+
+
 def plotly_axes(reach: float) -> list[Any]:
     """Make the three axes as lines with their names; plotly's own would be cut on a narrow page.
 
@@ -198,8 +221,8 @@ def plotly_space(reach: float) -> dict[str, Any]:
     Source: the look of this package.
     """
     axis = {"range": [-reach, reach], "visible": False}
-    return {"xaxis": axis, "yaxis": axis, "zaxis": axis, "aspectmode": "cube",
-            "camera": {"eye": {"x": 1.0, "y": 1.0, "z": 0.65}}}
+    return {"xaxis": axis, "yaxis": axis, "zaxis": axis, "aspectmode": "cube", "domain": {"y": [0.14, 0.97]},
+            "camera": {"center": {"z": 0.06}, "eye": {"x": 1.05, "y": 1.05, "z": 0.65}}}
 
 
 def draw_section(axes: Axes, radius: Radius, colour: str, *, line: str = "-") -> tuple[Array, Array]:
