@@ -89,11 +89,24 @@ def plot(
 
 
 @app.command()
-def check() -> None:
+def check(
+    out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write all comparisons as JSON.")] = None,
+) -> None:
     """Numerics against symbolic limits, quadrature and certified values; exit code 1 on any miss."""
     from granular.checks import run_checks
 
-    raise typer.Exit(run_checks())
+    raise typer.Exit(run_checks(json_out=out))
+
+
+@app.command()
+def cost(
+    out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write the measured data as JSON.")] = None,
+    rounds: Annotated[str, typer.Option("--rounds", metavar="N", help="How often everything is timed.")] = "15",
+) -> None:
+    """Measure accuracy against time for every route."""
+    from granular.cost import run_cost
+
+    raise typer.Exit(run_cost(out=out, rounds=_rounds(rounds)))
 
 
 @app.command()
@@ -174,8 +187,16 @@ def _accuracy(text: str | None) -> float | None:
     try:
         return float(text)
     except ValueError:
-        raise BadOption(f'--rtol = {shown(text)}', allowed="allowed a number inside (0, 1)",
+        raise BadOption(f"--rtol = {shown(text)}", allowed="allowed a number inside (0, 1)",
                         remedy="Write it like --rtol 1e-12.") from None
+
+
+def _rounds(text: str) -> int:
+    """The number behind --rounds; one round has no spread."""
+    if not (text.isascii() and text.isdigit() and 2 <= int(text[:6]) and len(text) <= 6):
+        raise BadOption(f"--rounds = {shown(text)}", allowed="allowed whole numbers from 2 to 999999",
+                        remedy="Write it like --rounds 15.")
+    return int(text)
 
 
 def _print_json(content: dict[str, Any]) -> None:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from granular.elasticity import Stiffness
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
+from granular.routes.exact import rational_components
 from granular.routes.result import COMPONENTS
 
 PAIRS = (("C1111", "C3333"), ("C2323", "C1212"))
@@ -72,10 +73,6 @@ def ratios(stiffness: Stiffness, *, fabric: AxialFabric, poisson_ratio: float,
     if hypothesis is not Hypothesis.KINEMATIC:
         six = stiffness.components
         return tuple(Ratio(f"{over}/{under}", six[over] / six[under], None) for over, under in PAIRS)
-    from granular.generated.kinematic_constant import kinematic_constant
-
-    # the emitted function has integer literals and + - * / only, so that fractions go through it unrounded
-    given = [Fraction(repr(value)) for value in (fabric.D33, fabric.D3333, fabric.Dr33, poisson_ratio)]
-    exact = dict(zip(COMPONENTS, kinematic_constant(*given), strict=True))  # type: ignore[arg-type]
-    return tuple(Ratio(f"{over}/{under}", float(exact[over] / exact[under]), Fraction(exact[over] / exact[under]))
-                 for over, under in PAIRS)
+    exact = dict(zip(COMPONENTS, rational_components(fabric, poisson_ratio=poisson_ratio), strict=True))
+    quotients = {f"{over}/{under}": exact[over] / exact[under] for over, under in PAIRS}
+    return tuple(Ratio(name, float(quotient), quotient) for name, quotient in quotients.items())

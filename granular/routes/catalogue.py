@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
-from granular.routes.result import RouteResult
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+    from granular.routes.result import RouteResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +111,12 @@ def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, rtol: float | None) -> 
     return Promise(error, int(lebedev_rule(degree)[1].size))
 
 
+def _exact(_fabric: AxialFabric, hypothesis: Hypothesis, _rtol: float | None) -> Promise | None:
+    from granular.routes.accuracy import HALF_ULP
+
+    return Promise(HALF_ULP, 0) if hypothesis is Hypothesis.KINEMATIC else None
+
+
 def _certified(_fabric: AxialFabric, _hypothesis: Hypothesis, _rtol: float | None) -> Promise:
     from granular.routes.accuracy import HALF_ULP
 
@@ -121,6 +127,7 @@ CATALOGUE: tuple[Route, ...] = (
     Route(name="closed_form", title="the emitted closed form", promise=_closed_form),
     Route(name="axial", title="a Gauss rule along the meridian", promise=_axial),
     Route(name="sphere", title="a Lebedev rule over the sphere", promise=_sphere),
+    Route(name="exact", title="the closed form in rational numbers", promise=_exact),
     Route(name="certified", title="ball arithmetic, every digit proved", promise=_certified),
 )
 """Every route."""

@@ -154,7 +154,7 @@ def test_version_and_help(command):
     assert command("--version")[:2] == (0, "granular 0.1.0\n")
     code, out, _ = command("--help")
     assert code == 0
-    for name in ("run", "plan", "plot", "check", "schema"):
+    for name in ("run", "plan", "plot", "check", "cost", "schema"):
         assert name in out
     assert command()[:2] == (0, out)
 
@@ -165,6 +165,13 @@ def test_plot_writes_the_file_and_says_so(command, tmp_path):
     code, text, _ = command("plot", SCENES / "table_ii_3.toml", "--what", "fabric", "--out", out)
     assert (code, text) == (0, f"Wrote {out}\n")
     assert out.read_bytes().lstrip().startswith(b"<?xml")
+
+
+@pytest.mark.parametrize("verdict", [0, 1])
+def test_check_leaves_with_the_verdict(command, monkeypatch, verdict):
+    # Breaks when a miss ends with exit code 0, which every script would take for agreement.
+    monkeypatch.setattr("granular.checks.run_checks", lambda *, json_out: verdict)
+    assert command("check")[0] == verdict
 
 
 # ---- refusals
@@ -255,6 +262,8 @@ BAD_COMMAND_LINES = [
      ["no/such"]),
     (["plot", "no_such.toml", "--what", "fabric", "--out", "x.svg"], "FileUnreadable", ["no_such.toml"]),
     (["--color", "run"], "BadOption", ["--color"]),
+    (["cost", "--rounds", "1"], "BadOption", ['--rounds = "1"', "2"]),
+    (["cost", "--rounds", "many"], "BadOption", ["many"]),
 ]
 
 

@@ -140,8 +140,9 @@ def test_the_isotropic_assembly_of_the_paper():
     assert in_megapascals == [556.8, 556.8, 13.7, 13.7, 271.5, 271.5]
 
 
-@pytest.mark.parametrize("route", list(ROUTES))
-@pytest.mark.parametrize("hypothesis", ["kinematic", "static"])
+@pytest.mark.parametrize(("route", "hypothesis"), [
+    (name, hypothesis) for name in ROUTES for hypothesis in ("kinematic", "static")
+    if (name, hypothesis) != ("exact", "static")])  # static components are not rational
 def test_all_routes_agree_within_their_bounds(route, hypothesis):
     # Breaks when one of the ways of computing drifts, with the fourth-rank fabric switched on.
     given_scene = scene(0.3, -0.3, D3333=0.1, hypothesis=hypothesis)
