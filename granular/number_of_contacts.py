@@ -86,6 +86,6 @@ def contacts_per_volume(void_ratio: float, coordination_number: float, *,
     Examples
     --------
     >>> round(contacts_per_volume(0.5744, 8.6848), 4)
-    5.2677
+    5.2676
     """
     return 3.0 / math.pi * (coordination_number / (1.0 + void_ratio)) / grain_diameter**3

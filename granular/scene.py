@@ -3,45 +3,25 @@
 from __future__ import annotations
 
 import os
-from fractions import Fraction
-from functools import cache
 from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
-from granular.errors import (
-    ConflictingKeys,
-    FabricOutOfRange,
-    MissingKey,
-    SymmetryNotBuilt,
-    ValueOutOfRange,
-)
+from granular.anisotropy import BranchAnisotropy, ContactNormals
+from granular.errors import ConflictingKeys, MissingKey, ValueOutOfRange
 from granular.fabric import AxialFabric
-from granular.fields import Number, SymmetricTensor, Tensor, Text, Word, WordsOrAuto, is_axial
+from granular.fields import Number, Text, Word, WordsOrAuto
 from granular.hypothesis import Hypothesis
 from granular.number_of_contacts import DEFAULT_RELATION
-from granular.refusals import one_sentence
-from granular.units import ANGLE, DENSITY, LENGTH, PRESSURE, shown
+from granular.stress import Stress
+from granular.table import Table
+from granular.units import ANGLE, DENSITY, LENGTH, PRESSURE
+
+__all__ = ["BranchAnisotropy", "Branches", "ContactNormals", "Gradation", "Grains", "Model", "Packing", "Scene",
+           "Shape", "Stress"]
 
 EFFECT_NAMES = ("packing", "branches", "gradation", "deviation", "kinetic", "slip", "opening")
 """Names of all effects, in the order of the scene file; a test holds them against the catalogue."""
-
-
-class Table(BaseModel):
-    """One table of the scene file: frozen, no unknown keys, and every mistake is one clear sentence."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid")
-
-    def __init__(self, /, **values: Any) -> None:
-        """Build the table from its keys; mistakes are GranularError."""
-        with one_sentence(type(self), homes=_homes):
-            super().__init__(**values)
-
-    @classmethod
-    def model_validate(cls, obj: Any, **options: Any) -> Self:
-        """Build the table from a dict; mistakes are GranularError."""
-        with one_sentence(cls, homes=_homes):
-            return super().model_validate(obj, **options)
 
 
 class Grains(Table):
@@ -66,34 +46,6 @@ class Grains(Table):
             raise ConflictingKeys("friction_angle and friction_coefficient are both given",
                                   allowed="allowed one of the two", remedy="Delete one of them.")
         return self
-
-
-class ContactNormals(Table):
-    """Density of contact normals: P2 and P4 coefficients about axis 3, or a tensor."""
-
-    D33: Annotated[float | None, Number(optional=True)] = Field(
-        default=None, description="P2 coefficient of the density of contact normals")
-    D3333: Annotated[float | None, Number(optional=True)] = Field(
-        default=None, description="P4 coefficient of the density of contact normals")
-    tensor: Annotated[Tensor | None, SymmetricTensor(traceless=True, optional=True)] = Field(
-        default=None, description="general traceless D_ij in place of D33")
-
-    @model_validator(mode="after")
-    def _admissible(self) -> Self:
-        if self.tensor is not None and self.D3333 is not None:
-            raise ConflictingKeys("tensor and D3333 are both given",
-                                  allowed="allowed D33 with D3333, or tensor", remedy="Delete one of them.")
-        D33 = _axial_coefficient(self.D33, self.tensor)
-        try:
-            AxialFabric(D33=D33, D3333=self.D3333 or 0.0)
-        except FabricOutOfRange as error:
-            raise _renamed(error, "D33", "D33 of the tensor" if self.tensor else "D33") from None
-        return self
-
-    @property
-    def coefficients(self) -> tuple[float, float]:
-        """D33 and D3333 [-], whichever way they were given."""
-        return _axial_coefficient(self.D33, self.tensor), self.D3333 or 0.0
 
 
 class Packing(Table):
@@ -123,28 +75,6 @@ class Packing(Table):
         if self.coordination_number is not None:
             return self.coordination_number
         return DEFAULT_RELATION.coordination_number(self.void_ratio)
-
-
-class BranchAnisotropy(Table):
-    """How the branch length changes with direction: W = 1 + D33 P2, or a tensor."""
-
-    D33: Annotated[float | None, Number(optional=True)] = Field(
-        default=None, description="P2 coefficient of the branch length, inside (-1, 2)")
-    tensor: Annotated[Tensor | None, SymmetricTensor(traceless=True, optional=True)] = Field(
-        default=None, description="general traceless D_ij in place of D33")
-
-    @model_validator(mode="after")
-    def _positive_length(self) -> Self:
-        try:
-            AxialFabric(Dr33=self.coefficient)
-        except FabricOutOfRange as error:
-            raise _renamed(error, "Dr33", "D33 of the tensor" if self.tensor else "D33") from None
-        return self
-
-    @property
-    def coefficient(self) -> float:
-        """Dr33 [-], whichever way it was given."""
-        return _axial_coefficient(self.D33, self.tensor)
 
 
 class Branches(Table):
@@ -189,58 +119,6 @@ class Shape(Table):
 
     aspect_ratio: Annotated[float, Number(above=0.0)] = Field(
         description="b/a, with b along axis 3 and a across")
-
-
-class Stress(Table):
-    """The stress on the assembly, compression positive: its mean and ratio, or a tensor."""
-
-    mean: Annotated[float | None, Number(
-        dimension=PRESSURE, above=0.0, optional=True, why="compression is positive",
-        remedy="Give the mean compressive stress as a positive number.")] = Field(
-        default=None, description="mean stress (sigma11 + sigma22 + sigma33)/3")
-    ratio: Annotated[float | None, Number(
-        at_least=0.0, optional=True, why="contacts carry no tension")] = Field(
-        default=None, description="sigma33/sigma11, 1 by default")
-    tensor: Annotated[Tensor | None, SymmetricTensor(dimension=PRESSURE, optional=True)] = Field(
-        default=None, description="stress tensor in place of mean and ratio")
-
-    @model_validator(mode="after")
-    def _compressive(self) -> Self:
-        if self.tensor is None:
-            if self.mean is None:
-                raise MissingKey("mean is not given", allowed="allowed mean, or tensor", remedy="Add mean.")
-            return self
-        extra = [key for key in ("mean", "ratio") if getattr(self, key) is not None]
-        if extra:
-            raise ConflictingKeys(f"tensor and {extra[0]} are both given",
-                                  allowed="allowed mean with ratio, or tensor", remedy="Delete one of them.")
-        for index in range(3):
-            if self.tensor[index][index] < 0.0:
-                place = f"t{index + 1}{index + 1}"
-                raise ValueOutOfRange(f"tensor {place} = {self.tensor[index][index]!r} Pa",
-                                      allowed=f"allowed {place} >= 0 Pa (compression is positive)",
-                                      remedy="Give compressive stresses as positive numbers.")
-        _require_axial(self.tensor)
-        if self.mean_stress <= 0.0:
-            raise ValueOutOfRange(f"tensor has the mean {self.mean_stress!r}", allowed="allowed mean > 0 Pa",
-                                  remedy="Give a compressive stress.")
-        return self
-
-    @property
-    def principal(self) -> tuple[Fraction, Fraction]:
-        """sigma11 and sigma33 up to a common positive factor, exactly as given [-]."""
-        if self.tensor is not None:
-            return Fraction(self.tensor[0][0]), Fraction(self.tensor[2][2])
-        return Fraction(1), Fraction(1 if self.ratio is None else self.ratio)
-
-    @property
-    def mean_stress(self) -> float:
-        """Mean stress p [Pa], compression positive, whichever way it was given."""
-        if self.tensor is not None:
-            sigma11, sigma33 = self.principal
-            return float((2 * sigma11 + sigma33) / 3)
-        assert self.mean is not None  # _compressive has seen to it
-        return self.mean
 
 
 class Model(Table):
@@ -361,43 +239,3 @@ class Scene(Table):
     def length_ratio(self) -> float:
         """Equivalent branch length over the grain diameter, l_e/(2 r_e) [-]."""
         return 1.0 if self.branches is None else self.branches.length_ratio
-
-
-@cache
-def _homes() -> dict[str, str]:
-    """Key -> the table it belongs to, for keys that were written in the wrong one."""
-    tables: dict[str, type[Table]] = {
-        "grains": Grains, "packing": Packing, "packing.contact_normals": ContactNormals, "branches": Branches,
-        "branches.anisotropy": BranchAnisotropy, "gradation": Gradation, "shape": Shape, "stress": Stress,
-        "model": Model}
-    homes: dict[str, str] = {}
-    for table, model in tables.items():
-        for key in model.model_fields:
-            homes.setdefault(key, table)
-    return homes
-
-
-def _axial_coefficient(D33: float | None, tensor: Tensor | None) -> float:
-    """D33 [-] from itself or from a tensor diag(-D/2, -D/2, D)."""
-    if D33 is not None and tensor is not None:
-        raise ConflictingKeys("D33 and tensor are both given", allowed="allowed one of the two",
-                              remedy="Delete one of them.")
-    if tensor is not None:
-        _require_axial(tensor)
-        return tensor[2][2]
-    if D33 is None:
-        raise MissingKey("D33 is not given", allowed="allowed D33, or tensor", remedy="Add D33 (0 for none).")
-    return D33
-
-
-def _require_axial(tensor: Tensor) -> None:
-    if not is_axial(tensor):
-        raise SymmetryNotBuilt(f"tensor = {shown(tensor)}",
-                               allowed="allowed diag(t11, t11, t33), axially symmetric about axis 3",
-                               remedy="Other tensors are not built yet: turn the axes, or give the axial part.")
-
-
-def _renamed(error: FabricOutOfRange, name: str, written: str) -> FabricOutOfRange:
-    """Return the same refusal with the name that stands in the scene file."""
-    return FabricOutOfRange(error.found.replace(name, written, 1), allowed=error.allowed.replace(name, "D33"),
-                            remedy=error.remedy.replace(name, "D33"))

@@ -1,0 +1,66 @@
+"""The stress on an assembly, as a scene gives it."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Annotated, Self
+
+from pydantic import Field, model_validator
+
+from granular.errors import ConflictingKeys, MissingKey, ValueOutOfRange
+from granular.fields import Number
+from granular.table import Table
+from granular.tensors import SymmetricTensor, Tensor, require_axial
+from granular.units import PRESSURE
+
+
+class Stress(Table):
+    """The stress on the assembly, compression positive: its mean and ratio, or a tensor."""
+
+    mean: Annotated[float | None, Number(
+        dimension=PRESSURE, above=0.0, optional=True, why="compression is positive",
+        remedy="Give the mean compressive stress as a positive number.")] = Field(
+        default=None, description="mean stress (sigma11 + sigma22 + sigma33)/3")
+    ratio: Annotated[float | None, Number(
+        at_least=0.0, optional=True, why="contacts carry no tension")] = Field(
+        default=None, description="sigma33/sigma11, 1 by default")
+    tensor: Annotated[Tensor | None, SymmetricTensor(dimension=PRESSURE, optional=True)] = Field(
+        default=None, description="stress tensor in place of mean and ratio")
+
+    @model_validator(mode="after")
+    def _compressive(self) -> Self:
+        if self.tensor is None:
+            if self.mean is None:
+                raise MissingKey("mean is not given", allowed="allowed mean, or tensor", remedy="Add mean.")
+            return self
+        extra = [key for key in ("mean", "ratio") if getattr(self, key) is not None]
+        if extra:
+            raise ConflictingKeys(f"tensor and {extra[0]} are both given",
+                                  allowed="allowed mean with ratio, or tensor", remedy="Delete one of them.")
+        for index in range(3):
+            if self.tensor[index][index] < 0.0:
+                place = f"t{index + 1}{index + 1}"
+                raise ValueOutOfRange(f"tensor {place} = {self.tensor[index][index]!r} Pa",
+                                      allowed=f"allowed {place} >= 0 Pa (compression is positive)",
+                                      remedy="Give compressive stresses as positive numbers.")
+        require_axial(self.tensor)
+        if self.mean_stress <= 0.0:
+            raise ValueOutOfRange(f"tensor has the mean {self.mean_stress!r}", allowed="allowed mean > 0 Pa",
+                                  remedy="Give a compressive stress.")
+        return self
+
+    @property
+    def principal(self) -> tuple[Fraction, Fraction]:
+        """sigma11 and sigma33 up to a common positive factor, exactly as given [-]."""
+        if self.tensor is not None:
+            return Fraction(self.tensor[0][0]), Fraction(self.tensor[2][2])
+        return Fraction(1), Fraction(1 if self.ratio is None else self.ratio)
+
+    @property
+    def mean_stress(self) -> float:
+        """Mean stress p [Pa], compression positive, whichever way it was given."""
+        if self.tensor is not None:
+            sigma11, sigma33 = self.principal
+            return float((2 * sigma11 + sigma33) / 3)
+        assert self.mean is not None  # _compressive has seen to it
+        return self.mean
