@@ -362,12 +362,10 @@ def _require_density(name: str, density: float) -> None:
 
 
 def _cos_squared(degrees: float) -> float:
-    """Square of the cosine; exact at the axis, at 45 degrees and at the equator."""
+    """Square of the cosine; exact at the axis and at the equator, and small beside it to its last digit."""
     if not math.isfinite(degrees):
         raise DirectionNotValid(f"angle of {degrees!r} degrees", allowed="needed: a finite number",
                                 remedy="Give the angle from axis 3 in degrees.")
     folded = abs(math.fmod(degrees, 180.0))
-    if folded in (45.0, 135.0):
-        return 0.5
     from_equator = math.radians(90.0 - folded)
     return math.sin(from_equator) ** 2 if abs(from_equator) < 1.0 else 1 - math.sin(math.radians(folded)) ** 2

@@ -62,7 +62,7 @@ def test_sh_is_polarised_horizontally(solid, degrees):
     np.testing.assert_allclose(matrix @ [0, 1, 0], [0, square, 0], atol=1e-14 * np.abs(matrix).max())
 
 
-def test_exact_at_axis_diagonal_and_equator():
+def test_exact_at_axis_and_equator():
     # cos(90 degrees) taken for 6e-17 instead of 0 would mix components into the horizontal speeds
     result = waves(SAND, density=1600.0)
     assert (result.vertical.P, result.vertical.SH, result.vertical.SV) == (500.0, 250.0, 250.0)
@@ -105,9 +105,9 @@ def test_delta_has_no_value_where_compression_and_shear_tie():
 @example(TIED)
 @example(Stiffness.transversely_isotropic(4.0, 4.0, 1.0, -0.5, 1.0, 1.5))  # SV bulges at 45 degrees
 def test_the_fastest_shear_wave_is_the_fastest(solid):
-    # an SV maximum between the axes overlooked, or one claimed that is not reached; 721 angles as witnesses
+    # an SV maximum between the axes overlooked, or one claimed that is not reached; 181 angles as witnesses
     found = fastest_shear(solid, density=2.0)
-    witnesses = [phase_velocities(solid, density=2.0, degrees=degrees) for degrees in np.linspace(0, 90, 721)]
+    witnesses = [phase_velocities(solid, density=2.0, degrees=degrees) for degrees in np.linspace(0, 90, 181)]
     # along an axis the pure shear pair is SH there, so the SV root, never above it, is a fair witness
     best = max(max(speeds.SV, speeds.SH) for speeds in witnesses)
     assert found.speed >= best * (1 - 1e-12)
