@@ -75,7 +75,7 @@ def _rendered(content: list[Row]) -> Table:
 
     table_ = Table(title="Error/allowed in units in the last place, and the worst component",
                    title_justify="left",
-                   box=None, pad_edge=False, padding=(0, 1), header_style="bold")
+                   box=None, pad_edge=False, padding=(0, 1), collapse_padding=True, header_style="bold")
     for heading in ("case (members)", "route", "kinematic", "static", "verdict"):
         table_.add_column(heading, no_wrap=True)
     shown = ""

