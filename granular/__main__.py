@@ -1,121 +1,13 @@
-"""Command line of granular: thin commands, and one place where every refusal becomes one line and exit code 2."""
+"""Command line of granular: every refusal becomes one line on standard error and exit code 2."""
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Iterable, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from collections.abc import Sequence
+from typing import Any
 
-import typer
-
-from granular.errors import BadOption, GranularError, OutputUnwritable
-from granular.routes.catalogue import ROUTES
-from granular.units import shown
-
-if TYPE_CHECKING:
-    from rich.console import RenderableType
-
-DONE, MISSED, REFUSED, INTERRUPTED = 0, 1, 2, 130
-"""Exit codes: done; a check failed; the input is wrong; stopped by Ctrl-C."""
-
-app = typer.Typer(
-    name="granular", add_completion=False, pretty_exceptions_enable=False,
-    help="The elastic stiffness of granular assemblies from the statistics of their contacts.")
-
-
-SceneFile = Annotated[str, typer.Argument(metavar="SCENE", help="A scene file (TOML).")]
-Accuracy = Annotated[str | None, typer.Option(
-    "--rtol", metavar="R", help="Wanted relative accuracy of every component, such as 1e-12.")]
-RouteName = Annotated[str, typer.Option("--route", metavar="NAME", help=f"auto, {', '.join(ROUTES)}.")]
-AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
-
-
-@app.callback(invoke_without_command=True)
-def _start(
-    context: typer.Context,
-    version: Annotated[bool, typer.Option("--version", help="Show the version and stop.")] = False,
-) -> None:
-    if version:
-        from granular import __version__
-
-        _print(f"granular {__version__}\n")
-        raise typer.Exit
-    if context.invoked_subcommand is None:
-        _print(context.get_help() + "\n")
-
-
-@app.command()
-def run(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", json: AsJson = False) -> None:
-    """Stiffness of a scene, with its error, route, effects and wave speeds."""
-    from granular.evaluation import evaluate
-    from granular.report import evaluation_as_json, evaluation_as_text
-    from granular.scene import Scene
-
-    result = evaluate(Scene.from_toml(scene), rtol=_accuracy(rtol), route=route)
-    if json:
-        _print_json(evaluation_as_json(result))
-    else:
-        _print_blocks(evaluation_as_text(result))
-
-
-@app.command()
-def plan(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", json: AsJson = False) -> None:
-    """What run would do and why, without doing it."""
-    from granular.planning import plan as decide
-    from granular.report import plan_as_json, plan_as_text
-    from granular.scene import Scene
-
-    decided = decide(Scene.from_toml(scene), rtol=_accuracy(rtol), route=route)
-    if json:
-        _print_json(plan_as_json(decided))
-    else:
-        _print_blocks(plan_as_text(decided))
-
-
-@app.command()
-def plot(
-    scene: SceneFile,
-    what: Annotated[str, typer.Option(
-        "--what", metavar="NAME", help="fabric, forces, contacts, stiffness or waves.")],
-    out: Annotated[Path, typer.Option("--out", metavar="FILE", help="File to write: SVG, PNG, PDF or HTML.")],
-) -> None:
-    """A figure of a scene."""
-    from granular.figures import save
-    from granular.scene import Scene
-
-    _print(f"Wrote {save(Scene.from_toml(scene), what=what, out=out)}\n")
-
-
-@app.command()
-def check(
-    out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write all comparisons as JSON.")] = None,
-) -> None:
-    """Numerics against symbolic limits, quadrature and certified values; exit code 1 on any miss."""
-    from granular.checks import run_checks
-
-    raise typer.Exit(run_checks(json_out=out))
-
-
-@app.command()
-def cost(
-    out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write the measured data as JSON.")] = None,
-    rounds: Annotated[str, typer.Option("--rounds", metavar="N", help="How often everything is timed.")] = "15",
-) -> None:
-    """Measure accuracy against time for every route."""
-    from granular.cost import run_cost
-
-    raise typer.Exit(run_cost(out=out, rounds=_rounds(rounds)))
-
-
-@app.command()
-def schema() -> None:
-    """JSON schema of a scene file."""
-    from granular.scene import Scene
-    from granular.scene_schema import schema_text
-
-    _print(schema_text(Scene))
+REFUSED, INTERRUPTED = 2, 130
+"""Exit codes of input that is wrong and of Ctrl-C; a command itself leaves with 0, or with 1 when a check failed."""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -140,98 +32,26 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 def _exit_code(arguments: Sequence[str] | None) -> int:
     try:
-        return run_command(arguments)
-    except GranularError as refusal:
-        print(refusal, file=sys.stderr)
-        return REFUSED
+        # imported here, so that Ctrl-C is quiet while the libraries load
+        from granular.commands import run_command
+        from granular.errors import GranularError
+
+        try:
+            return run_command(arguments)
+        except GranularError as refusal:
+            print(refusal, file=sys.stderr)
+            return REFUSED
     except KeyboardInterrupt:
         return INTERRUPTED
 
 
-def run_command(arguments: Sequence[str] | None = None) -> int:
-    """Run a command; what is wrong with its input is raised.
+def __getattr__(name: str) -> Any:
+    """Offer ``app`` and ``run_command`` here too, without loading their libraries before they are asked for."""
+    if name in ("app", "run_command"):
+        from granular import commands
 
-    Parameters
-    ----------
-    arguments : sequence of str, optional
-        Arguments; those of the process by default.
-
-    Returns
-    -------
-    int
-        Exit code, 0 or 1, or 130 after Ctrl-C.
-
-    Raises
-    ------
-    GranularError
-        The command line, the scene, or the file it names is wrong.
-
-    Notes
-    -----
-    Source: the command line's interface.
-    """
-    try:
-        code = app(args=None if arguments is None else list(arguments), prog_name="granular", standalone_mode=False)
-    except typer.TyperException as error:
-        reason, _, hint = " ".join(error.format_message().split()).partition(". ")
-        hint = f"{hint.rstrip('.?')}{'?' if hint.endswith('?') else '.'} " if hint else ""
-        raise BadOption(reason.rstrip("."), allowed="allowed are the commands and options that --help lists",
-                        remedy=f"{hint}See granular --help.") from None
-    return code if isinstance(code, int) else DONE
-
-
-def _accuracy(text: str | None) -> float | None:
-    """The number behind --rtol; whether it can be promised is for the plan to say."""
-    if text is None:
-        return None
-    try:
-        return float(text)
-    except ValueError:
-        raise BadOption(f"--rtol = {shown(text)}", allowed="allowed a number inside (0, 1)",
-                        remedy="Write it like --rtol 1e-12.") from None
-
-
-def _rounds(text: str) -> int:
-    """The number behind --rounds; one round has no spread."""
-    if not (text.isascii() and text.isdigit() and 2 <= int(text[:6]) and len(text) <= 6):
-        raise BadOption(f"--rounds = {shown(text)}", allowed="allowed whole numbers from 2 to 999999",
-                        remedy="Write it like --rounds 15.")
-    return int(text)
-
-
-def _print_json(content: dict[str, Any]) -> None:
-    import json
-
-    lines = (f"{json.dumps(key)}: {json.dumps(value, allow_nan=False)}" for key, value in content.items())
-    _print("{" + ",\n ".join(lines) + "}\n")
-
-
-def _print_blocks(blocks: Iterable[RenderableType]) -> None:
-    import io
-
-    from rich.console import Console
-
-    buffer = io.StringIO()
-    console = Console(file=buffer, force_terminal=sys.stdout.isatty() or None, highlight=False, markup=False,
-                      emoji=False)
-    for block in blocks:
-        console.print(block)
-    _print("".join(f"{line.rstrip()}\n" for line in buffer.getvalue().splitlines()))
-
-
-def _print(text: str) -> None:
-    """Write to standard output at once. A reader that went away is no error; a full disk is."""
-    try:
-        sys.stdout.write(text)
-        sys.stdout.flush()
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        raise typer.Exit(DONE) from None
-    except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        raise OutputUnwritable(f"standard output ({(error.strerror or str(error)).lower()})",
-                               allowed="it must take the result", remedy="Free some space or name another file."
-                               ) from None
+        return getattr(commands, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 if __name__ == "__main__":

@@ -325,6 +325,14 @@ def test_a_full_disk_is_one_line():
     assert_refused((done.returncode, "", done.stderr), "OutputUnwritable", ["no space left"])
 
 
+@pytest.mark.skipif(os.name != "posix", reason="needs a shell that can close a stream")
+def test_a_closed_output_is_one_line():
+    # Breaks when a missing standard output gets a traceback.
+    done = subprocess.run(["/bin/sh", "-c", f"{sys.executable} -m granular run {SCENES / 'table_ii_1.toml'} >&-"],
+                          capture_output=True, text=True, check=False, timeout=60)
+    assert_refused((done.returncode, done.stdout, done.stderr), "OutputUnwritable", ["closed"])
+
+
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs a pipe with a name")
 def test_ctrl_c_is_clean(tmp_path):
     # Breaks when an interrupted command prints a traceback. It waits for a scene that never comes.

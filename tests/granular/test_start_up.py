@@ -40,6 +40,11 @@ def test_names_are_loaded_one_by_one():
     assert "numpy" not in loaded("import granular; granular.Scene; granular.Stiffness; granular.evaluate")
 
 
+def test_the_entry_point_waits_for_its_libraries():
+    # Breaks when a library loads before main can catch Ctrl-C.
+    assert not {name.partition(".")[0] for name in loaded("from granular.__main__ import main")} & HEAVY
+
+
 def run(*arguments):
     return ("import sys; from granular.__main__ import main\n"
             f"try: main({[str(argument) for argument in arguments]!r})\n"
