@@ -39,9 +39,9 @@ def _called_for(scene: Scene) -> Called:
     if equator == pole:
         return Called(False, "the estimated contact force is the same in every direction")
     if equator == 0:
-        return Called(True, "the estimated contact force varies with direction (it vanishes at the equator)")
-    return Called(True, "the estimated contact force varies with direction (at the pole it is "
-                        f"{_decimal(pole / equator)} times that at the equator)")
+        return Called(True, "the estimated contact force varies with direction: it vanishes at the equator")
+    return Called(True, "the estimated contact force varies with direction: at the pole it is "
+                        f"{_decimal(pole / equator)} times that at the equator")
 
 
 def _decimal(ratio: Fraction) -> str:

@@ -78,7 +78,7 @@ def select(scene: Scene) -> Selection:
     names = {effect.name for effect in wanted}
     return Selection(
         simulated={name: call.reason for name, call in called.items() if name in names},
-        not_called_for={name: f"{LEFT_OUT}, though {call.reason}" if call.wanted else call.reason
+        not_called_for={name: f"{LEFT_OUT} ({call.reason})" if call.wanted else call.reason
                         for name, call in called.items() if name not in names},
         fabric=fabric)
 
@@ -88,16 +88,17 @@ def _require_built(wanted: list[Effect], called: dict[str, Called], *, by_list: 
     if not missing:
         return
     built = [effect.name for effect in CATALOGUE if effect.built]
-    allowed = f"built so far are {' and '.join(built)}"
-    first = missing[0]
+    allowed = f"built so far are {_joined(built)}"
+    names = _joined([effect.name for effect in missing])
+    them = "it" if len(missing) == 1 else "them"
+    without = "; ".join(effect.without for effect in missing)
     if by_list:
-        raise EffectNotBuilt(f"model.effects lists {_joined(missing)}", allowed=allowed,
-                             remedy=f"Take {first.name} off the list: {first.without}.")
+        raise EffectNotBuilt(f"model.effects lists {names}", allowed=allowed, remedy=f"Take {them} off: {without}.")
     why = "; ".join(f"{effect.name}: {called[effect.name].reason}" for effect in missing)
     keep = ", ".join(f'"{name}"' for name in built)
-    raise EffectNotBuilt(f"the scene calls for {_joined(missing)} ({why})", allowed=allowed,
-                         remedy=f"Write effects = [{keep}] under [model] to leave it out: {first.without}.")
+    raise EffectNotBuilt(f"the scene calls for {names} ({why})", allowed=allowed,
+                         remedy=f"Write effects = [{keep}] under [model] to leave {them} out: {without}.")
 
 
-def _joined(effects: list[Effect]) -> str:
-    return " and ".join(effect.name for effect in effects)
+def _joined(names: list[str]) -> str:
+    return " and ".join((", ".join(names[:-1]), names[-1]) if len(names) > 1 else names)
