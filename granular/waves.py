@@ -198,8 +198,8 @@ def phase_velocities(stiffness: Stiffness, *, density: float, degrees: float) ->
 
     Notes
     -----
-    Accuracy: a few units in the last place of the greatest; an angle beta near axis 3 moves the pair P, SV by
-    up to 1e-16/sin(beta), at most 1e-8, where C3333 and C2323 are equal.
+    Accuracy: density times speed squared to a few units in the last place of the largest component; the pair
+    P, SV only to 1e-16/sin(beta) of it, at worst 1e-8, at an angle beta near axis 3 where C3333 = C2323.
     Source: the Christoffel equation of a transversely isotropic solid, derived in ``derivations.waves``.
 
     Examples

@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import granular
@@ -22,6 +22,7 @@ from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.routes import axial, closed_form
 
+patient = settings(deadline=None)  # a time limit would be a verdict on a busy machine
 BATCH = 4 * np.finfo(float).eps
 """Where branch lengths differ most, moments come from a matrix product, whose order of sums depends on the batch."""
 HYPOTHESES = [Hypothesis.KINEMATIC, Hypothesis.STATIC]
@@ -44,6 +45,7 @@ def scalar(d, dr, nu, hypothesis):
 
 
 @pytest.mark.parametrize("hypothesis", HYPOTHESES)
+@patient
 @given(st.lists(st.tuples(fabrics, branches, ratios), min_size=1, max_size=12))
 def test_equal_to_the_scalar_routes(hypothesis, cases):
     # an element sent to the wrong formula, or mixed up with its neighbour

@@ -7,13 +7,14 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from granular.elasticity import Compliance, Stiffness
 from granular.errors import DirectionNotValid, IndexNotKnown, TensorNotElastic, TensorNotInvertible
 from granular.notation import ORDERS
 
+patient = settings(deadline=None)  # a time limit would be a verdict on a busy machine
 SAND = Stiffness.transversely_isotropic(9.0, 7.0, 3.0, 2.0, 2.5, 3.0)
 ULP = np.finfo(float).eps
 
@@ -98,6 +99,7 @@ def test_voigt_compliance_is_the_inverse_of_voigt_stiffness(order):
     np.testing.assert_allclose(SAND.compliance().voigt(order) @ SAND.voigt(order), np.eye(6), atol=1e-15)
 
 
+@patient
 @given(solids())
 def test_the_closed_inverse_is_the_exact_inverse(solid):
     # a slip in the 2x2 block, or digits lost where it is nearly singular; rounded once, so equal
@@ -115,6 +117,7 @@ def test_the_closed_inverse_is_the_exact_inverse(solid):
         assert s[name] == float(value), name
 
 
+@patient
 @given(solids(smallest=0.05))
 def test_closed_and_general_inverse_agree(solid):
     # two independent ways: closed form against LAPACK on the whole matrix
@@ -124,6 +127,7 @@ def test_closed_and_general_inverse_agree(solid):
     assert difference <= room * np.abs(np.linalg.inv(matrix)).max()
 
 
+@patient
 @given(solids())
 def test_positive_definiteness_by_inequalities_and_by_energy(solid):
     # inequalities that accept a solid without energy, or refuse one with it
@@ -158,6 +162,7 @@ def test_general_tensors_are_judged_by_eigenvalues():
         flat.compliance()
 
 
+@patient
 @given(solids(smallest=0.05), st.floats(-7, 7), st.sampled_from([0, 1, 2]))
 def test_rotation_against_einsum(solid, angle, axis):
     # a rotation matrix transposed or with wrong shear weights

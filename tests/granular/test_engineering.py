@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from granular.elasticity import Stiffness
 from granular.engineering import engineering_constants, normal_stiffness, young_modulus
 from granular.errors import DirectionNotValid, TensorNotElastic, TensorNotPositive
 
+patient = settings(deadline=None)  # a time limit would be a verdict on a busy machine
 SAND = Stiffness.transversely_isotropic(9.0, 7.0, 3.0, 2.0, 2.5, 3.0)
 
 
@@ -21,6 +22,7 @@ def solids(draw):
                                             poised * (plane * normal / 2) ** 0.5, vertical, shear)
 
 
+@patient
 @given(solids())
 def test_constants_against_the_inverse_matrix(solid):
     # nu13 and nu31 exchanged, or a modulus of the wrong axis: LAPACK's inverse is the other voice
@@ -34,6 +36,7 @@ def test_constants_against_the_inverse_matrix(solid):
         assert getattr(made, name) == pytest.approx(value, rel=1e-10, abs=1e-11), name
 
 
+@patient
 @given(solids(), st.floats(-360, 360))
 def test_pulling_along_any_direction(solid, degrees):
     # a wrong weight of the mixed term: turn the solid and read the components along axis 3

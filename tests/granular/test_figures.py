@@ -11,7 +11,7 @@ from pathlib import Path
 import matplotlib as mpl
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
@@ -37,6 +37,7 @@ from granular.figures.two_hypotheses import hypotheses
 from granular.figures.waves import table_ii_waves, waves_figure
 from granular.waves import waves
 
+patient = settings(deadline=None)  # a time limit would be a verdict on a busy machine
 SCENE = granular.Scene.model_validate({
     "grains": {"shear_modulus": "31 GPa", "poisson_ratio": 0.21, "density": "2650 kg/m^3"},
     "packing": {"void_ratio": 0.5744, "contact_normals": {"D33": 0.3}},
@@ -291,6 +292,7 @@ def test_kinematic_curves_lie_above_static_ones():
         assert (upper.get_ydata() >= lower.get_ydata() * (1 - 1e-12)).all()
 
 
+@patient
 @given(st.lists(st.floats(-10, 10), max_size=8), st.floats(0.01, 3))
 def test_labels_are_spread_as_little_as_needed(heights, gap):
     # names that overlap, change their order or drift away
