@@ -174,7 +174,7 @@ def run_cost(*, out: Path | None = None, rounds: int = 15) -> int:
     console = Console(highlight=False, markup=False, emoji=False)
     console.print(_rendered(costs))
     described = machine()
-    console.print(f"Measured on {described.pop('processor')}: " + ", ".join(
+    console.print(f"Measured in {rounds} rounds on {described.pop('processor')}: " + ", ".join(
         f"{name} {value}" for name, value in described.items()), soft_wrap=True)
     return 0
 

@@ -15,7 +15,7 @@ from granular.checks.limits import (
     kinematic_polynomial,
     kinematic_trace,
 )
-from granular.checks.voices import Voice, allowed_units, attempt
+from granular.checks.voices import MOST_UNITS, Voice, allowed_units, attempt
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.routes import axial, closed_form, sphere
@@ -80,7 +80,7 @@ class _Outcome:
         """Say how far off a component is, against what the route may be off."""
         return Comparison(group=group, case=f"D33 = {self.fabric.D33:g}, Dr33 = {self.fabric.Dr33:g}, nu = {self.nu:g}",
                           hypothesis=self.hypothesis, route=self.voice.NAME, component=component, error=error,
-                          allowed=allowed_units(self.voice, self.fabric, self.result))
+                          allowed=allowed_units(self.voice, self.result, aim=MOST_UNITS))
 
 
 def _evaluate(voice: Voice, hypothesis: Hypothesis, fabric: AxialFabric, nu: float) -> _Outcome | None:

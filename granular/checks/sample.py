@@ -89,7 +89,7 @@ def sample_comparisons(count: int = 60, *, seed: int = 1999) -> Iterator[Compari
                     component, error = worst_component(result.components, known)
                     yield Comparison(group=f"random, rank {2 if fabric.D3333 == 0 else 4}", case=f"number {number}",
                                      hypothesis=hypothesis, route=voice.NAME, component=component, error=error,
-                                     allowed=allowed_units(voice, fabric, result))
+                                     allowed=allowed_units(voice, result))
 
 
 def _near_an_end(rng: random.Random, low: float, high: float) -> float:

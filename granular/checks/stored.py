@@ -10,7 +10,7 @@ from functools import lru_cache
 from importlib.resources import files
 
 from granular.checks.comparison import Comparison, worst_component
-from granular.checks.voices import allowed_units, attempt, voices
+from granular.checks.voices import MOST_UNITS, allowed_units, attempt, voices
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.routes.result import COMPONENTS
@@ -100,4 +100,4 @@ def stored_comparisons() -> Iterator[Comparison]:
                 component, error = worst_component(result.components, known)
                 yield Comparison(group=case.family, case=case.name, hypothesis=hypothesis, route=voice.NAME,
                                  component=component, error=error,
-                                 allowed=allowed_units(voice, case.fabric, result))
+                                 allowed=allowed_units(voice, result, aim=MOST_UNITS))

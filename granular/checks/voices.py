@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Protocol
 
 from granular.errors import RouteOutOfDomain
@@ -14,8 +15,8 @@ UNIT = 2.0**-52
 """A relative error of this size is between half a unit and one unit in the last place [-]."""
 
 MOST_UNITS = 4.0
-"""Units in the last place that a component may be off by the closed form and the axial rule, where E is of rank two,
-whatever they declare [ulp]."""
+"""Units in the last place that a component of a stored case or of a limit may be off by the closed form and the axial
+rule, whatever they declare [ulp]."""
 
 
 class Voice(Protocol):
@@ -76,22 +77,22 @@ def attempt(voice: Voice, fabric: AxialFabric, poisson_ratio: float, hypothesis:
         return None
 
 
-def allowed_units(voice: Voice, fabric: AxialFabric, result: RouteResult) -> float:
+def allowed_units(voice: Voice, result: RouteResult, *, aim: float = math.inf) -> float:
     """Units in the last place that a component of a result may be off.
 
     Parameters
     ----------
     voice : Voice
         The route that gave the result.
-    fabric : AxialFabric
-        Contact normals and branch lengths [-].
     result : RouteResult
         What it gave.
+    aim : float
+        Bound for the two routes that a plan chooses by itself, where it is lower than what they declare [ulp].
 
     Returns
     -------
     float
-        What the route declares; for the two routes that a plan chooses, at most ``MOST_UNITS`` while D3333 = 0 [ulp].
+        What the route declares, or the aim [ulp].
 
     Notes
     -----
@@ -100,10 +101,8 @@ def allowed_units(voice: Voice, fabric: AxialFabric, result: RouteResult) -> flo
 
     Examples
     --------
-    >>> allowed_units(exact, AxialFabric(), RouteResult((1.0,) * 6, 2**-53, 0))
+    >>> allowed_units(exact, RouteResult((1.0,) * 6, 2**-53, 0), aim=MOST_UNITS)
     0.5
     """
     declared = result.relative_error / UNIT
-    if fabric.D3333 == 0 and voice in (closed_form, axial):
-        return min(declared, MOST_UNITS)
-    return declared
+    return min(declared, aim) if voice in (closed_form, axial) else declared

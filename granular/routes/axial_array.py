@@ -23,6 +23,8 @@ GROUP = 4
 """Nodes whose products are added by plain matrix multiplication; it divides the 28 and the 80 nodes of a rule."""
 
 RELATIVE_ERROR = 8 * 2.0**-52
+"""Bound for every component that is not subnormal [-]. On 80,000 random and boundary fabrics the worst was
+4.6 * 2**-52 (kinematic) and 6.0 * 2**-52 (static): here the formulas after the moments round as well."""
 
 
 def components(D33: ArrayLike, Dr33: ArrayLike, poisson_ratio: ArrayLike, *, D3333: ArrayLike = 0.0,

@@ -49,9 +49,9 @@ def test_random_admissible_fabrics_with_boundaries() -> None:
     found = list(sample_comparisons(300, seed=28))
     assert [comparison for comparison in found if not comparison.agrees] == []
     assert len(found) > 1500
-    # The axial rule serves everything; the worst over 40,000 fabrics was 2.8 units for rank two.
+    # The axial rule serves everything; the worst over 40,000 fabrics was 2.9 units.
     assert worst(found, "axial", "random, rank 2") <= 3
-    assert worst(found, "axial", "random, rank 4") <= 4
+    assert worst(found, "axial", "random, rank 4") <= 3
 
 
 def worst(found: list[Comparison], route: str, group: str) -> float:
