@@ -55,7 +55,7 @@ def test_the_command_writes_its_data(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert next(Cost(**record).setting for record in content["costs"]) == "floats"
     assert [path.name for path in tmp_path.iterdir()] == ["cost.json"]
     shown = capsys.readouterr().out
-    assert "Measured on" in shown
+    assert "Measured in 2 rounds on" in shown
     assert max(len(line) for line in shown.splitlines() if not line.startswith("Measured")) <= 80
 
 
