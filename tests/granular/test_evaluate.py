@@ -225,6 +225,8 @@ def test_a_component_that_loses_its_digits_is_refused():
     # Breaks when C1122 = (1 - lambda_0) p0/8 with a tiny Poisson ratio underflows silently.
     with pytest.raises(errors.ResultOutOfRange, match="C1122"):
         granular.evaluate(scene(nu=5e-324))
+    with pytest.raises(errors.ResultOutOfRange, match="C1122"):  # each factor is an ordinary number, the product not
+        granular.evaluate(scene(nu=1e-9, branches={"length_ratio": 1e-154}, stress={"mean": 1e-3}))
     assert granular.evaluate(scene(nu=1e-290)).stiffness.C1122 > 0
 
 
@@ -258,6 +260,9 @@ def test_json_holds_the_whole_answer():
     content = json.loads(json.dumps(evaluation_as_json(result), allow_nan=False))
     assert set(content) == {"stiffness", "relative_error", "reference_stiffness", "hypothesis", "route", "evaluations",
                             "effects", "contacts_per_volume", "contacts_per_volume_unit", "waves"}
+    for name in ("relative_error", "reference_stiffness", "hypothesis", "route", "evaluations", "contacts_per_volume",
+                 "contacts_per_volume_unit"):
+        assert content[name] == getattr(result, name)
     for name in COMPONENTS:
         assert content["stiffness"][name] == result.stiffness.component(name)
     assert content["stiffness"]["mandel"] == result.stiffness.mandel().tolist()
