@@ -62,7 +62,7 @@ C1122, C1133 = sp.symbols("C1122 C1133", real=True)
 S1111, S3333, S2323, S1212 = sp.symbols("S1111 S3333 S2323 S1212", positive=True)
 S1122, S1133 = sp.symbols("S1122 S1133", real=True)
 density = sp.Symbol("density", positive=True)
-cos_squared = sp.Symbol("cos_squared", nonnegative=True)
+sin_squared, cos_squared = sp.symbols("sin_squared cos_squared", nonnegative=True)
 
 STIFFNESS = (C1111, C3333, C1122, C1133, C2323, C1212)
 COMPLIANCE = (S1111, S3333, S1122, S1133, S2323, S1212)
@@ -105,6 +105,7 @@ GLOSSARY: tuple[Quantity, ...] = (
     *(Quantity(c, rf"S_{{{c.name[1:]}}}", "1/Pa", "positive definite", f"compliance component {c.name[1:]}")
       for c in COMPLIANCE),
     Quantity(density, r"\rho", "kg/m^3", "> 0", "bulk density of the assembly"),
+    Quantity(sin_squared, r"\sin^2\theta", "-", "0 to 1", "squared sine of the angle of propagation from axis 3"),
     Quantity(cos_squared, r"\cos^2\theta", "-", "0 to 1", "squared cosine of the angle of propagation from axis 3"),
 )
 

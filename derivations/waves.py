@@ -5,12 +5,24 @@ from __future__ import annotations
 import sympy as sp
 
 from derivations.record import Claim, Derivation, Function, Output, Step
-from derivations.symbols import C1111, C1122, C1133, C1212, C2323, C3333, cos_squared, density, latex, s, y
+from derivations.symbols import (
+    C1111,
+    C1122,
+    C1133,
+    C1212,
+    C2323,
+    C3333,
+    cos_squared,
+    density,
+    latex,
+    s,
+    sin_squared,
+    y,
+)
 
 v_P, v_SV, v_SH = sp.symbols("v_P v_SV v_SH", positive=True)
 epsilon, gamma, delta = sp.symbols("epsilon gamma delta", real=True)
-sin_squared, half_sum, half_difference, coupling, root = sp.symbols(
-    "sin_squared half_sum half_difference coupling root", real=True)
+half_sum, half_difference, coupling, root = sp.symbols("half_sum half_difference coupling root", real=True)
 fast, slow, bracket = sp.symbols("fast slow bracket", positive=True)
 
 _DIAGONAL = {0: C1111, 1: C1111, 2: C3333}
@@ -54,9 +66,8 @@ def velocity_function() -> Function:
     """Emit the three phase speeds; the slower in-plane wave by the product of both roots, so that nothing cancels."""
     return Function(
         "phase_velocities", "Phase speeds of the P, SV and SH waves in m/s.",
-        (C1111, C3333, C1133, C2323, C1212, density, cos_squared),
-        ((sin_squared, 1 - cos_squared),
-         (half_sum, (C1111 * sin_squared + C3333 * cos_squared + C2323) / 2),
+        (C1111, C3333, C1133, C2323, C1212, density, sin_squared, cos_squared),
+        ((half_sum, (C1111 * sin_squared + C3333 * cos_squared + C2323) / 2),
          (half_difference, ((C1111 - C2323) * sin_squared - (C3333 - C2323) * cos_squared) / 2),
          (coupling, (C1133 + C2323) ** 2 * sin_squared * cos_squared),
          (root, sp.sqrt(half_difference**2 + coupling)),
@@ -68,7 +79,8 @@ def velocity_function() -> Function:
          (v_P, sp.sqrt(fast / density)), (v_SV, sp.sqrt(slow / density)),
          (v_SH, sp.sqrt((C1212 * sin_squared + C2323 * cos_squared) / density))),
         (v_P, v_SV, v_SH),
-        notes="v_P is the faster of the two waves polarised in the plane of axis 3, v_SV the slower.")
+        notes="v_P is the faster of the two waves polarised in the plane of axis 3, v_SV the slower. Sine and cosine "
+              "are both asked for, so that no digit is lost near either axis.")
 
 
 def thomsen_function() -> Function:
@@ -96,6 +108,9 @@ def waves() -> Derivation:
     in_plane = matrix.extract([0, 2], [0, 2])
     trace, determinant = in_plane.trace(), in_plane.det()
     positive_gap = {C3333: C2323 + sp.Symbol("g3", positive=True), C1111: C2323 + sp.Symbol("g1", positive=True)}
+    p, q, r, u = sp.symbols("p q r u", positive=True)
+    characteristic = (p * (1 - y) - u) * (q * y - u) - r**2 * y * (1 - y)
+    turning = {y: (p + r) / (p + q + 2 * r), u: (p * q - r**2) / (p + q + 2 * r)}
     steps = (
         Step("Christoffel matrix",
              "A plane wave along $n$ moves the solid along an eigenvector of $C_{ijkl}n_in_l$; the eigenvalue is the "
@@ -124,20 +139,29 @@ def waves() -> Derivation:
              (Claim(sp.simplify(slow_.subs(positive_gap).subs({s: 0, y: 1})), C2323),
               Claim(sp.simplify(slow_.subs(positive_gap).subs({s: 1, y: 0})), C2323),
               Claim(horizontal.subs({s: 1, y: 0}), C1212)), result=True),
+        Step("Fastest shear wave",
+             "Between the axis and the horizontal the in-plane shear wave has one extremum. With "
+             "$p = C_{1111} - C_{2323}$, $q = C_{3333} - C_{2323}$ and $r = |C_{1133} + C_{2323}|$ it is a maximum "
+             "where $pq > r^2$. The fastest shear wave of all directions is therefore carried by the largest of three "
+             "numbers.",
+             (r"\rho v^2_{\max} = \max\Bigl(C_{1212},\ C_{2323},\ C_{2323} + \frac{pq-r^2}{p+q+2r}\Bigr),\qquad "
+              r"\cos^2\theta = \frac{p+r}{p+q+2r}",),
+             (Claim(sp.cancel(sp.together(characteristic.subs(turning))), sp.Integer(0)),
+              Claim(sp.cancel(sp.together(sp.diff(characteristic, y).subs(turning))), sp.Integer(0))), result=True),
         Step("Thomsen's parameters",
              "Three ratios that vanish for an isotropic solid; in $\\delta$ the difference of squares is factorised.",
              tuple(f"{latex(n)} = {latex(e)}" for n, e in zip((epsilon, gamma, delta), thomsen(), strict=True)),
              (Claim(thomsen()[2] * (2 * C3333 * (C3333 - C2323)),
                     (C1133 + C3333) * (C1133 + 2 * C2323 - C3333)),), result=True),
     )
-    exact = {s: 1 - cos_squared, y: cos_squared}
+    exact = {s: sin_squared, y: cos_squared}
     return Derivation(
         name="waves",
         title="Wave speeds of a transversely isotropic assembly",
         sources=("text below Table II",),
         assumptions=("Plane waves long against the grains, in a dry assembly.",),
         domain=("positive definite stiffness", "C3333 > C2323 for delta", "0 <= cos^2 <= 1"),
-        inputs=(C1111, C3333, C1133, C2323, C1212, density, cos_squared),
+        inputs=(C1111, C3333, C1133, C2323, C1212, density, sin_squared, cos_squared),
         outputs=(*(Output(n, sp.sqrt(e.subs(exact) / density), "m/s")
                    for n, e in zip((v_P, v_SV, v_SH), squared_speeds(), strict=True)),
                  *(Output(n, e) for n, e in zip((epsilon, gamma, delta), thomsen(), strict=True))),

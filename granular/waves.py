@@ -198,8 +198,7 @@ def phase_velocities(stiffness: Stiffness, *, density: float, degrees: float) ->
 
     Notes
     -----
-    Accuracy: density times speed squared to a few units in the last place of the largest component; the pair
-    P, SV only to 1e-16/sin(beta) of it, at worst 1e-8, at an angle beta near axis 3 where C3333 = C2323.
+    Accuracy: density times speed squared to a few units in the last place of the largest component.
     Source: the Christoffel equation of a transversely isotropic solid, derived in ``derivations.waves``.
 
     Examples
@@ -210,7 +209,7 @@ def phase_velocities(stiffness: Stiffness, *, density: float, degrees: float) ->
     """
     c1111, c3333, c1133, c2323, c1212, size = _wave_components(stiffness)
     _require_density("density", density)
-    p, sv, sh = closed_forms.phase_velocities(c1111, c3333, c1133, c2323, c1212, 1.0, _cos_squared(degrees))
+    p, sv, sh = closed_forms.phase_velocities(c1111, c3333, c1133, c2323, c1212, 1.0, *_squares(degrees))
     unit = math.sqrt(size) / math.sqrt(density)
     return PhaseVelocities(p * unit, sv * unit, sh * unit)
 
@@ -361,11 +360,11 @@ def _require_density(name: str, density: float) -> None:
                                 remedy=f"Give the {name} in kg/m^3.")
 
 
-def _cos_squared(degrees: float) -> float:
-    """Square of the cosine; exact at the axis and at the equator, and small beside it to its last digit."""
+def _squares(degrees: float) -> tuple[float, float]:
+    """Squares of sine and cosine, each to its last digit near either axis and exact on both."""
     if not math.isfinite(degrees):
         raise DirectionNotValid(f"angle of {degrees!r} degrees", allowed="needed: a finite number",
                                 remedy="Give the angle from axis 3 in degrees.")
     folded = abs(math.fmod(degrees, 180.0))
-    from_equator = math.radians(90.0 - folded)
-    return math.sin(from_equator) ** 2 if abs(from_equator) < 1.0 else 1 - math.sin(math.radians(folded)) ** 2
+    acute = min(folded, 180.0 - folded)
+    return math.sin(math.radians(acute)) ** 2, math.sin(math.radians(90.0 - acute)) ** 2

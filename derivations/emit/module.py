@@ -15,6 +15,11 @@ from derivations.symbols import GLOSSARY
 WIDTH = 110
 
 
+def output_units(derivation: Derivation) -> dict[sp.Symbol, str]:
+    """Units of the outputs, for results that are not inputs elsewhere and so are not in the glossary."""
+    return {output.symbol: output.unit for output in derivation.outputs}
+
+
 def header(derivation: Derivation, kind: str) -> str:
     """Module docstring: what it holds, what made it, how to remake it."""
     sources = f"Source: {', '.join(derivation.sources)} of Pan & Dong (1999).\n" if derivation.sources else ""
@@ -31,18 +36,19 @@ def operations_before(derivation: Derivation) -> int:
     return int(sum(sp.count_ops(output.expression) for output in derivation.outputs))
 
 
-def docstring(function: Function, kind: str, operations: int) -> str:
+def docstring(function: Function, kind: str, operations: int, units: dict[sp.Symbol, str]) -> str:
     """Docstring of an emitted function, from the declarations of its symbols."""
     lines = [f'    """{function.summary}', ""]
     if function.notes:
         lines += [fill(function.notes, WIDTH, initial_indent="    ", subsequent_indent="    "), ""]
-    lines += ["    Parameters", "    ----------", *_described(function.arguments, kind), "",
-              "    Returns", "    -------", *_described(function.returns, kind, function.unit), "",
+    lines += ["    Parameters", "    ----------", *_described(function.arguments, kind, units), "",
+              "    Returns", "    -------", *_described(function.returns, kind, units, function.unit), "",
               f"    Operations: {operations}.", '    """']
     return "\n".join(lines)
 
 
-def _described(symbols: tuple[sp.Symbol, ...], kind: str, unit: str | None = None) -> list[str]:
+def _described(symbols: tuple[sp.Symbol, ...], kind: str, units: dict[sp.Symbol, str],
+               unit: str | None = None) -> list[str]:
     known = {quantity.symbol: quantity for quantity in GLOSSARY}
     lines = []
     for symbol in symbols:
@@ -51,7 +57,7 @@ def _described(symbols: tuple[sp.Symbol, ...], kind: str, unit: str | None = Non
             meaning = quantity.meaning[:1].upper() + quantity.meaning[1:]
             lines.append(f"    {symbol.name} : {kind} [{unit or quantity.unit}]\n        {meaning}.")
         else:
-            lines.append(f"    {symbol.name} : {kind} [{unit or '-'}]")
+            lines.append(f"    {symbol.name} : {kind} [{unit or units.get(symbol, '-')}]")
     return lines
 
 

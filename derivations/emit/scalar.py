@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from derivations.emit.module import (
     all_series,
     assignments,
@@ -11,6 +13,7 @@ from derivations.emit.module import (
     end_to_end,
     end_to_end_operations,
     header,
+    output_units,
 )
 from derivations.record import Derivation, Function
 
@@ -26,11 +29,12 @@ def polynomial(coefficients: tuple[float, ...], v: float) -> float:
 
 def scalar_module(derivation: Derivation) -> str:
     """Return the text of ``granular/generated/NAME.py``."""
-    series = all_series(derivation)
-    bodies = [_function(function, assignments(function), function.operations()) for function in derivation.functions]
+    series, units = all_series(derivation), output_units(derivation)
+    bodies = [_function(function, assignments(function), function.operations(), units)
+              for function in derivation.functions]
     whole = end_to_end(derivation)
     if whole is not None:
-        bodies.append(_function(whole, chained_body(derivation), end_to_end_operations(derivation)))
+        bodies.append(_function(whole, chained_body(derivation), end_to_end_operations(derivation), units))
     imports = ["from __future__ import annotations\n"]
     if any("sqrt(" in body for body in bodies):
         imports.append("from math import sqrt")
@@ -40,10 +44,10 @@ def scalar_module(derivation: Derivation) -> str:
     return "\n".join(parts) + "\n\n" + "\n\n".join(blocks)
 
 
-def _function(function: Function, body: str, operations: int) -> str:
+def _function(function: Function, body: str, operations: int, units: dict[sp.Symbol, str]) -> str:
     arguments = ", ".join(f"{a.name}: float" for a in function.arguments)
     returns = ", ".join(["float"] * len(function.returns))
     signature = f"def {function.name}({arguments}) -> tuple[{returns}]:"
     if len(signature) > 110:
         signature = f"def {function.name}(\n    {arguments},\n) -> tuple[{returns}]:"
-    return f"{signature}\n{docstring(function, 'float', operations)}\n{body}\n"
+    return f"{signature}\n{docstring(function, 'float', operations, units)}\n{body}\n"

@@ -32,14 +32,14 @@ def engineering_constants(
 
     Returns
     -------
-    E1 : float [-]
-    E3 : float [-]
+    E1 : float [Pa]
+    E3 : float [Pa]
     nu12 : float [-]
     nu13 : float [-]
     nu31 : float [-]
-    G23 : float [-]
-    G12 : float [-]
-    K : float [-]
+    G23 : float [Pa]
+    G12 : float [Pa]
+    K : float [Pa]
 
     Operations: 31.
     """

@@ -39,14 +39,14 @@ def engineering_constants(
 
     Returns
     -------
-    E1 : (...) array [-]
-    E3 : (...) array [-]
+    E1 : (...) array [Pa]
+    E3 : (...) array [Pa]
     nu12 : (...) array [-]
     nu13 : (...) array [-]
     nu31 : (...) array [-]
-    G23 : (...) array [-]
-    G12 : (...) array [-]
-    K : (...) array [-]
+    G23 : (...) array [Pa]
+    G12 : (...) array [Pa]
+    K : (...) array [Pa]
 
     Operations: 31.
     """

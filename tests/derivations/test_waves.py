@@ -5,16 +5,30 @@ from __future__ import annotations
 import sympy as sp
 
 from derivations.kinematic import kinematic_constant
-from derivations.symbols import C1111, C1133, C1212, C2323, C3333, D33, D3333, Dr33, cos_squared, density, nu
+from derivations.symbols import (
+    C1111,
+    C1133,
+    C1212,
+    C2323,
+    C3333,
+    D33,
+    D3333,
+    Dr33,
+    cos_squared,
+    density,
+    nu,
+    sin_squared,
+)
 from derivations.waves import christoffel, squared_speeds, v_P, v_SH, v_SV, velocity_function
 
 SAMPLE = {C1111: 7, C3333: 5, C1133: 1, C2323: 2, C1212: 3, density: 1}
+THIRD = {sin_squared: sp.Rational(2, 3), cos_squared: sp.Rational(1, 3)}
 
 
 def test_emitted_speeds_are_the_eigenvalues() -> None:
     """The rearranged in-plane speeds must be roots of the characteristic polynomial, at an exact angle."""
     emitted = velocity_function().substituted()
-    squares = [sp.nsimplify(sp.expand(emitted[name] ** 2).subs({**SAMPLE, cos_squared: sp.Rational(1, 3)}))
+    squares = [sp.nsimplify(sp.expand(emitted[name] ** 2).subs({**SAMPLE, **THIRD}))
                for name in (v_P, v_SV, v_SH)]
     matrix = christoffel().subs({sp.Symbol("s", nonnegative=True): sp.Rational(2, 3),
                                  sp.Symbol("y", nonnegative=True): sp.Rational(1, 3)}).subs(SAMPLE)

@@ -48,10 +48,8 @@ def test_speeds_are_the_christoffel_eigenvalues(solid, degrees, azimuth, density
     squares, _ = christoffel(solid, direction)
     speeds = phase_velocities(solid, density=density, degrees=degrees)
     ours = np.sort([density * speed**2 for speed in (speeds.P, speeds.SV, speeds.SH)])
-    # 1e-14 of the largest component: it enters times sin^2, whose rounding is absolute. The closed form sees the
-    # angle as cos^2 alone, whose rounding moves a double root by eps/sin(beta), at most sqrt(eps)
-    blur = min(1.5e-8, np.finfo(float).eps / max(abs(level), 1e-30))
-    np.testing.assert_allclose(ours, squares, rtol=0, atol=(1e-14 + blur) * max(solid.components.values()))
+    # 1e-14 of the largest component: it enters times sin^2, whose rounding is absolute
+    np.testing.assert_allclose(ours, squares, rtol=0, atol=1e-14 * max(solid.components.values()))
 
 
 @patient
