@@ -122,8 +122,8 @@ class Chromium:
     def picture(self, destination: Path, *, width: int, height: int | None = None) -> None:
         """Save what the page shows as PNG, whole or down to a height [px]."""
         full = height or int(self.ask("document.documentElement.scrollHeight"))
-        answer = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True,
-                           clip={"x": 0, "y": 0, "width": width, "height": full, "scale": 1})
+        whole = {"x": 0, "y": 0, "width": width, "height": full, "scale": 1}
+        answer = self.call("Page.captureScreenshot", format="png", clip=whole)
         destination.write_bytes(base64.b64decode(answer["data"]))
 
 

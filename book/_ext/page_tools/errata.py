@@ -7,7 +7,7 @@ import sympy as sp
 from derivations.fabric import fabric_tensor
 from derivations.symbols import D33, latex
 from granular import Evaluation, Scene, evaluate
-from granular.contact_law import hertz_mindlin_moduli
+from page_tools import hertz_mindlin
 from page_tools.markup import Markup, table
 from page_tools.paper import RATIOS, cases, evaluated, scene_of
 
@@ -47,7 +47,7 @@ def isotropic_moduli_check(data: str) -> Markup:
     """Compare printed, computed and independently computed stiffness of the isotropic assembly."""
     scene = scene_of(0.0, 0.0)
     components = evaluate(scene).stiffness.components
-    bulk, shear = hertz_mindlin_moduli(
+    bulk, shear = hertz_mindlin.moduli(
         scene.grains.shear_modulus, scene.grains.poisson_ratio, mean_stress=scene.stress.mean_stress,
         void_ratio=scene.packing.void_ratio, coordination_number=scene.packing.coordination)
     independent = {"C3333": bulk + 4 * shear / 3, "C2323": shear, "C1133": bulk - 2 * shear / 3}

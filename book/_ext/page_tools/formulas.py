@@ -2,43 +2,97 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import sympy as sp
 
 from derivations import engineering, kinematic, static
-from derivations.symbols import STIFFNESS, lam, latex, one_minus_lam
+from derivations.fabric import fabric_tensor
+from derivations.symbols import (
+    C1111,
+    C1122,
+    C1133,
+    C1212,
+    C2323,
+    C3333,
+    N11,
+    N33,
+    S2323,
+    STIFFNESS,
+    lam,
+    latex,
+    one_minus_lam,
+    p0,
+    p1,
+    p2,
+)
 from page_tools.markup import Markup
 
-POSITIVE_FORMS = {"kinematic": kinematic.positive_components, "static": static.positive_stiffness}
-MOMENTS = {
-    "kinematic": r"p_k = \bigl\langle 4\pi E\,W^{2} s^{2-k} x^{2k}\bigr\rangle",
-    "static": r"p_k = \bigl\langle 4\pi E\,W^{-2} s^{2-k} x^{2k}\bigr\rangle",
-}
 SCALE = r"(M/V)\,\ell_e^2 k_n"
+MOMENTS = r"p_k = \bigl\langle 4\pi E\,W^{%s} s^{2-k} x^{2k}\bigr\rangle,\quad k = 0, 1, 2,"
+DELTA, SIGMA = sp.symbols("Delta Sigma", positive=True)
+SHORTHAND = {
+    DELTA: lam * p0 * p2 + p1 * (p0 + p1 + p2) + one_minus_lam * p1**2,
+    SIGMA: (1 + lam) * p0 + 2 * p1,
+}
+"""Sums that occur more than once in the static stiffness."""
+
+Line = tuple[sp.Symbol, sp.Expr]
 
 
-def stiffness_formulas(hypothesis: str, *, label: str = "") -> Markup:
-    """Typeset the six components over (M/V) l_e^2 k_n, their moments and the stiffness ratio; numbered if labelled."""
-    components = _aligned([(latex(symbol), latex(expression)) for symbol, expression
-                           in zip(STIFFNESS, POSITIVE_FORMS[hypothesis](), strict=True)])
-    ratios = (rf"{latex(lam)} = {latex(kinematic.LAM)},\qquad "
-              rf"{latex(one_minus_lam)} = 1 - {latex(lam)} = {latex(kinematic.ONE_MINUS_LAM)}")
-    return Markup(f"In units of ${SCALE}$,\n\n"
-                  f"$$\n{components}\n$${_number(label)}\n\n"
-                  "with the moments and ratios\n\n"
-                  f"$$\n{MOMENTS[hypothesis]},\\quad k = 0, 1, 2,\n$${_number(label, '-moments')}\n\n"
-                  f"$$\n{ratios}.\n$${_number(label, '-ratios')}\n")
+def kinematic_formulas(*, label: str = "") -> Markup:
+    """Typeset the six components over (M/V) l_e^2 k_n, their moments and the stiffness ratio."""
+    lines = list(zip(STIFFNESS, kinematic.positive_components(), strict=True))
+    return _in_parts(label, power="2", components=lines, further=())
+
+
+def static_formulas(*, label: str = "") -> Markup:
+    """Typeset the same for the static hypothesis, with shorthand for what would stand there twice.
+
+    Raises
+    ------
+    AssertionError
+        The short form is not the derived one; the page must not be built.
+    """
+    derived = dict(zip(STIFFNESS, static.positive_stiffness(), strict=True))
+    short = {symbol: derived[symbol].subs({whole: name for name, whole in SHORTHAND.items()})
+             for symbol in (C3333, C1122, C1133, C1212)}
+    short |= {C1111: C1122 + 2 * C1212, C2323: 1 / (4 * S2323)}
+    further = {**SHORTHAND, S2323: static.positive_compliance()[4],
+               **dict(zip((N11, N33), fabric_tensor(), strict=True))}
+    _require_same(derived, short, further)
+    return _in_parts(label, power="-2", components=[(symbol, short[symbol]) for symbol in STIFFNESS],
+                     further=tuple(further.items()))
 
 
 def engineering_formulas(*, label: str) -> Markup:
     """Typeset the eight engineering constants."""
-    lines = zip(engineering.CONSTANTS, engineering.constants(), strict=True)
-    return Markup(f"$$\n{_aligned([(latex(symbol), latex(value)) for symbol, value in lines])}\n$$ ({label})\n")
+    lines = list(zip(engineering.CONSTANTS, engineering.constants(), strict=True))
+    return Markup(_display(_aligned(lines), label))
 
 
-def _aligned(lines: Sequence[tuple[str, str]]) -> str:
-    body = " \\\\[2pt]\n".join(f"{left} &= {right}" for left, right in lines)
+def _in_parts(label: str, *, power: str, components: list[Line], further: tuple[Line, ...]) -> Markup:
+    """Components first, then what they contain: moments, shorthand, ratios."""
+    ratios = (rf"{latex(lam)} = {latex(kinematic.LAM)},\qquad "
+              rf"{latex(one_minus_lam)} = 1 - {latex(lam)} = {latex(kinematic.ONE_MINUS_LAM)}.")
+    parts = [f"In units of ${SCALE}$,", _display(_aligned(components), label), "with",
+             _display(MOMENTS % power, label and f"{label}-moments"),
+             *([_display(_aligned(list(further)), label and f"{label}-shorthand")] if further else []),
+             _display(ratios, label and f"{label}-ratios")]
+    return Markup("\n\n".join(parts) + "\n")
+
+
+def _require_same(derived: dict[sp.Symbol, sp.Expr], short: dict[sp.Symbol, sp.Expr],
+                  further: dict[sp.Symbol, sp.Expr]) -> None:
+    tensor = {N11, N33}
+    whole = {name: value for name, value in further.items() if name not in tensor}
+    for symbol in STIFFNESS:
+        gap = short[symbol].subs(short).subs(whole) - derived[symbol]
+        assert sp.cancel(gap.subs(one_minus_lam, 1 - lam)) == 0, f"{symbol}: short form differs"
+
+
+def _display(formula: str, label: str) -> str:
+    return f"$$\n{formula}\n$$" + (f" ({label})" if label else "")
+
+
+def _aligned(lines: list[Line]) -> str:
+    body = " \\\\[3pt]\n".join(f"{latex(left)} &= {latex(right)}" for left, right in lines)
     return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
-
-
-def _number(label: str, part: str = "") -> str:
-    return f" ({label}{part})" if label else ""

@@ -14,14 +14,21 @@ from unittest.mock import patch
 
 from granular import Scene, evaluate
 from granular.__main__ import run_command
-from granular.errors import GranularError
-from page_tools.markup import Markup
+from granular.errors import CATALOGUE, GranularError
+from page_tools.markup import Markup, plain, table
 
 SOUND_SCENE: dict[str, dict[str, Any]] = {
     "grains": {"shear_modulus": "31 GPa", "poisson_ratio": 0.21},
     "packing": {"void_ratio": 0.5744},
     "stress": {"mean": "28 kPa"},
 }
+
+
+def catalogue() -> Markup:
+    """List every refusal with a link to its section."""
+    rows = [[f"{{ref}}`{kind.code} <error-{kind.code.lower()}>`", plain(kind.title), f"`{kind.__name__}`"]
+            for kind in CATALOGUE]
+    return table(["code", "what it means", "class"], rows, label="tab-refusals", caption="All refusals.")
 
 
 def refused(code: str, attempt: Callable[[], object]) -> Markup:
