@@ -27,9 +27,9 @@ RELATIVE_ERROR = {Hypothesis.KINEMATIC: 1 * ULP, Hypothesis.STATIC: 6 * ULP}
 """Bound for a density of rank two. The arithmetic is exact, so that a kinematic component is rounded once; a static
 one inherits the rounding of its moments: 1 unit as a rule, 4.6 at the worst of 80,000 random and boundary fabrics."""
 
-RANK_FOUR_FACTOR = 16.0
-"""With D3333 the middle coefficient of the density may be negative; the terms that then cancel are at most this many
-times the sum, since the density itself is nowhere negative."""
+RANK_FOUR_FACTOR = 4.5
+"""With D3333 the middle coefficient of the density may be negative. The terms that then cancel are at most 4.45 times
+the sum: that is the largest ratio over all densities with a double zero and all |v| <= 1/2 (at e0/e2 = 0.63, v = 0)."""
 
 
 def covers(fabric: AxialFabric, hypothesis: Hypothesis) -> bool:
