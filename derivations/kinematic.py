@@ -45,7 +45,7 @@ from derivations.symbols import (
 TO_POWER_MOMENTS = {p0: m0 - 2 * m1 + m2, p1: m1 - m2, p2: m2}
 """<rho s^2>, <rho s y>, <rho y^2> in the moments m_k = <rho x^(2k)>."""
 
-LAM = 2 * (1 - nu) / (2 - nu)
+LAM = sp.Mul(2, 1 - nu, 1 / (2 - nu))
 ONE_MINUS_LAM = nu / (2 - nu)
 
 WEIGHT_SYMBOLS = sp.symbols("omega0:5", real=True)
@@ -221,6 +221,8 @@ ASSUMPTIONS = (
     "Branch vectors are parallel to contact normals.",
     "All contacts have the same stiffness.",
 )
+EQUAL_TANGENTS = "The tangential stiffness of a contact is a fixed fraction of the normal one, the same in all directions."
+DISTINCT_TANGENTS = "One tangential stiffness of a contact acts along the meridian, another along the parallel."
 DOMAIN = ("E nowhere negative", "-1 < Dr33 < 2", "0 <= nu <= 1/2")
 
 
@@ -232,7 +234,7 @@ def kinematic_constant() -> Derivation:
         name="kinematic_constant",
         title="Stiffness with constant contact stiffness, kinematic hypothesis",
         sources=("(2)", "(4)", "(7)"),
-        assumptions=(*ASSUMPTIONS, "The tangential stiffness is the same in all directions, k_r = lambda k_n."),
+        assumptions=(*ASSUMPTIONS, EQUAL_TANGENTS),
         domain=DOMAIN,
         inputs=(D33, D3333, Dr33, nu),
         outputs=tuple(Output(c, e.xreplace(to_closed).xreplace(ratios))
@@ -244,16 +246,15 @@ def kinematic_constant() -> Derivation:
 
 def kinematic_three() -> Derivation:
     """Derive the stiffness for k_n, k_s, k_t distinct, eq. (2) as it stands."""
-    to_closed = dict(zip(POSITIVE_MOMENTS, closed_moments(), strict=True))
     return Derivation(
         name="kinematic_three",
         title="Stiffness with three contact stiffnesses, kinematic hypothesis",
         sources=("(2)", "(4)", "(7)"),
-        assumptions=(*ASSUMPTIONS, "k_s acts along the meridian, k_t along the parallel."),
-        domain=("E nowhere negative", "-1 < Dr33 < 2", "k_n, k_s, k_t > 0"),
-        inputs=(D33, D3333, Dr33, kn, ks, kt),
-        outputs=tuple(Output(c, e.xreplace(to_closed)) for c, e in zip(STIFFNESS, components(), strict=True)),
+        assumptions=(*ASSUMPTIONS, DISTINCT_TANGENTS),
+        domain=("p0, p1, p2 from kinematic_constant.positive_moments", "kn, ks, kt > 0"),
+        inputs=(p0, p1, p2, kn, ks, kt),
+        outputs=tuple(Output(c, e, "N/m") for c, e in zip(STIFFNESS, components(), strict=True)),
         steps=_moment_steps()[:2],
-        functions=(moment_function(), three_function()),
+        functions=(three_function(),),
     )
 

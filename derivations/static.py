@@ -7,7 +7,7 @@ import sympy as sp
 from derivations import contact
 from derivations.axial_components import six_components
 from derivations.fabric import DENSITY, fabric_tensor
-from derivations.kinematic import LAM, ONE_MINUS_LAM
+from derivations.kinematic import DISTINCT_TANGENTS, EQUAL_TANGENTS, LAM, ONE_MINUS_LAM
 from derivations.record import Claim, Derivation, Function, Output, Step
 from derivations.sphere import sphere_mean
 from derivations.static_moments import moment_function, moment_steps
@@ -228,7 +228,7 @@ def static_constant() -> Derivation:
         name="static_constant",
         title="Stiffness with constant contact stiffness, static hypothesis",
         sources=("(2)", "(23)", "(24)", "Figure 1(b)"),
-        assumptions=(*ASSUMPTIONS, "The tangential stiffness is the same in all directions, k_r = lambda k_n."),
+        assumptions=(*ASSUMPTIONS, EQUAL_TANGENTS),
         domain=("E nowhere negative", "-1 < Dr33 < 2; the emitted series: 1/9 <= w1/w0 <= 9", "0 <= nu <= 1/2"),
         inputs=(D33, D3333, Dr33, nu),
         outputs=(*(Output(c, e.xreplace(closed)) for c, e in zip(STIFFNESS, positive_stiffness(), strict=True)),
@@ -245,11 +245,11 @@ def static_three() -> Derivation:
         name="static_three",
         title="Stiffness with three contact stiffnesses, static hypothesis",
         sources=("(2)", "(23)", "(24)", "Figure 1(b)"),
-        assumptions=(*ASSUMPTIONS, "k_s acts along the meridian, k_t along the parallel."),
-        domain=("E nowhere negative", "-1 < Dr33 < 2; the emitted series: 1/9 <= w1/w0 <= 9", "k_n, k_s, k_t > 0"),
-        inputs=(D33, D3333, Dr33, kn, ks, kt),
+        assumptions=(*ASSUMPTIONS, DISTINCT_TANGENTS),
+        domain=("p0, p1, p2 from static_constant.static_moments", "-1 <= D33 <= 2", "kn, ks, kt > 0"),
+        inputs=(p0, p1, p2, D33, kn, ks, kt),
         outputs=tuple(Output(c, e.xreplace({N11: n11, N33: n33}))
                       for c, e in zip(COMPLIANCE, components(), strict=True)),
         steps=_compliance_steps()[:3],
-        functions=(moment_function(), *three_functions()),
+        functions=three_functions(),
     )

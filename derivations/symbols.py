@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import sympy as sp
@@ -128,4 +129,5 @@ def describe(symbol: sp.Symbol) -> Quantity:
 
 def latex(expression: sp.Basic) -> str:
     """Typeset an expression with the declared LaTeX of every symbol."""
-    return str(sp.latex(expression, symbol_names=LATEX, fold_short_frac=False))
+    typeset = str(sp.latex(expression, symbol_names=LATEX, fold_short_frac=False))
+    return re.sub(r"\\(sin|cos)(\\alpha|\\beta)\^\{(\d+)\}", r"\\\1^{\3}\2", typeset)

@@ -91,7 +91,7 @@ def stiffness_from_moments(
 
     Operations: 36.
     """
-    lam = (2 - 2*nu)/(2 - nu)
+    lam = 2*(1 - nu)/(2 - nu)
     one_minus_lam = nu/(2 - nu)
     C1111 = lam*(p0/8 + p1/2) + 3*p0/8
     C3333 = lam*p1 + p2

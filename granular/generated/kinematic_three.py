@@ -2,53 +2,11 @@
 
 Emitted by ``derivations write`` from the derivation ``kinematic_three``; do not edit.
 Source: (2), (4), (7) of Pan & Dong (1999).
-Domain: E nowhere negative; -1 < Dr33 < 2; k_n, k_s, k_t > 0.
-Operations: 122 (764 in the outputs as derived).
+Domain: p0, p1, p2 from kinematic_constant.positive_moments; kn, ks, kt > 0.
+Operations: 55 (60 in the outputs as derived).
 """
 
 from __future__ import annotations
-
-
-def positive_moments(D33: float, D3333: float, Dr33: float) -> tuple[float, float, float]:
-    """Moments <E W^2 s^2>, <E W^2 s x^2>, <E W^2 x^4> of the kinematic weight.
-
-    Parameters
-    ----------
-    D33 : float [-]
-        P2 coefficient of the contact-normal density.
-    D3333 : float [-]
-        P4 coefficient of the contact-normal density.
-    Dr33 : float [-]
-        P2 coefficient of the branch-length weight.
-
-    Returns
-    -------
-    p0 : float [-]
-        Moment of the weight with the fourth power of the sine.
-    p1 : float [-]
-        Moment of the weight with squared sine and squared cosine.
-    p2 : float [-]
-        Moment of the weight with the fourth power of the cosine.
-
-    Operations: 67.
-    """
-    e0 = (-4*D33 + 3*D3333 + 8)/8
-    e1 = (D33 - 6*D3333 + 4)/2
-    e2 = D33 + D3333 + 1
-    w0 = (2 - Dr33)/2
-    w1 = Dr33 + 1
-    omega0 = e0*w0*w0
-    omega1 = w0*(2*e0*w1 + e1*w0)
-    omega2 = e0*w1*w1 + 2*e1*w0*w1 + e2*w0*w0
-    omega3 = w1*(e1*w1 + 2*e2*w0)
-    omega4 = e2*w1*w1
-    sum0 = 15360*omega0 + 1280*omega1 + 384*omega2 + 240*omega3 + 280*omega4
-    sum1 = 1280*omega0 + 384*omega1 + 240*omega2 + 280*omega3 + 630*omega4
-    sum2 = 384*omega0 + 240*omega1 + 280*omega2 + 630*omega3 + 3465*omega4
-    p0 = sum0/45045
-    p1 = sum1/45045
-    p2 = sum2/45045
-    return p0, p1, p2
 
 
 def stiffness_from_moments(
@@ -95,44 +53,3 @@ def stiffness_from_moments(
     C2323 = kn*p1/2 + ks*(p0/8 - p1/4 + p2/8) + kt*(p1/8 + p2/8)
     C1212 = kn*p0/8 + ks*p1/8 + kt*(p0/8 + p1/8)
     return C1111, C3333, C1122, C1133, C2323, C1212
-
-
-def kinematic_three(
-    D33: float, D3333: float, Dr33: float, kn: float, ks: float, kt: float,
-) -> tuple[float, float, float, float, float, float]:
-    """Stiffness with three contact stiffnesses, kinematic hypothesis, from the fabric to the components.
-
-    Parameters
-    ----------
-    D33 : float [-]
-        P2 coefficient of the contact-normal density.
-    D3333 : float [-]
-        P4 coefficient of the contact-normal density.
-    Dr33 : float [-]
-        P2 coefficient of the branch-length weight.
-    kn : float [N/m]
-        Normal contact stiffness.
-    ks : float [N/m]
-        Tangential contact stiffness along the meridian.
-    kt : float [N/m]
-        Tangential contact stiffness along the parallel.
-
-    Returns
-    -------
-    C1111 : float [N/m]
-        Stiffness component 1111.
-    C3333 : float [N/m]
-        Stiffness component 3333.
-    C1122 : float [N/m]
-        Stiffness component 1122.
-    C1133 : float [N/m]
-        Stiffness component 1133.
-    C2323 : float [N/m]
-        Stiffness component 2323.
-    C1212 : float [N/m]
-        Stiffness component 1212.
-
-    Operations: 122.
-    """
-    p0, p1, p2 = positive_moments(D33, D3333, Dr33)
-    return stiffness_from_moments(p0, p1, p2, kn, ks, kt)

@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``static_constant``; do not edit.
 Source: (2), (23), (24), Figure 1(b) of Pan & Dong (1999).
 Domain: E nowhere negative; -1 < Dr33 < 2; the emitted series: 1/9 <= w1/w0 <= 9; 0 <= nu <= 1/2.
-Operations: 596 (345 in the outputs as derived).
+Operations: 596 (340 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -330,7 +330,7 @@ def stiffness_from_moments(
     """
     fifteen_N11 = 5 - D33
     fifteen_N33 = 2*D33 + 5
-    lam = (2 - 2*nu)/(2 - nu)
+    lam = 2*(1 - nu)/(2 - nu)
     one_minus_lam = nu/(2 - nu)
     delta = lam*p0*p2 + one_minus_lam*p1*p1 + p1*(p0 + p1 + p2)
     shear_sum = p0*(lam + 1) + 2*p1
@@ -383,7 +383,7 @@ def compliance_from_moments(
     fifteen_N33 = 2*D33 + 5
     A11 = 15/fifteen_N11
     A33 = 15/fifteen_N33
-    lam = (2 - 2*nu)/(2 - nu)
+    lam = 2*(1 - nu)/(2 - nu)
     one_minus_lam = nu/(2 - nu)
     S1111 = A11*A11*(3*p0/8 + (p0/8 + p1/2)/lam)
     S3333 = A33*A33*(p2 + p1/lam)
