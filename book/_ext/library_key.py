@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import shutil
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -44,8 +45,18 @@ def use_library(app: Sphinx, config: Config) -> None:
     inherited = os.environ.get("PYTHONPATH")
     before = [str(root), str(root / "book" / "_ext")]
     os.environ["PYTHONPATH"] = os.pathsep.join([*before, inherited] if inherited else before)
-    config["library_key"] = library_digest(root)
-    config["nb_execution_cache_path"] = str(Path(app.outdir).parent / ".jupyter_cache" / library_digest(root))
+    key = library_digest(root)
+    caches = Path(app.outdir).parent / ".jupyter_cache"
+    config["library_key"] = key
+    config["nb_execution_cache_path"] = str(caches / key)
+    forget_old_caches(caches, keep=key)
+
+
+def forget_old_caches(caches: Path, *, keep: str, newest: int = 3) -> None:
+    """Delete the pages computed with older libraries, except for the newest few, to which one may return."""
+    others = [path for path in caches.glob("*") if path.is_dir() and path.name != keep]
+    for path in sorted(others, key=lambda path: path.stat().st_mtime, reverse=True)[newest:]:
+        shutil.rmtree(path)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

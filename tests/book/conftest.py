@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 import sys
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
 
@@ -19,3 +22,21 @@ def root() -> Path:
 @pytest.fixture(scope="session")
 def book(root: Path) -> Path:
     return root / "book"
+
+
+def missing(what: str) -> NoReturn:
+    """Skip where something is not there; fail where CI asked for it to be there."""
+    if os.environ.get("GRANULAR_REQUIRE_BROWSER") == "1":
+        pytest.fail(what)
+    pytest.skip(what)
+
+
+@pytest.fixture(scope="session")
+def chromium() -> str:
+    return shutil.which("chromium") or missing("Chromium is not installed, so no page was opened in a browser")
+
+
+@pytest.fixture(scope="session")
+def built(book: Path) -> Path:
+    pages = book / "_build" / "html"
+    return pages if (pages / "index.html").exists() else missing("the book is not built; run `make book` first")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -11,16 +9,6 @@ from pathlib import Path
 import pytest
 
 pytestmark = pytest.mark.book
-REQUIRED = os.environ.get("GRANULAR_REQUIRE_BROWSER") == "1"
-
-
-@pytest.fixture(scope="module")
-def built(book: Path) -> Path:
-    pages = book / "_build" / "html"
-    if not (pages / "index.html").exists():
-        why = "the book is not built; run `make book` first"
-        pytest.fail(why) if REQUIRED else pytest.skip(why)
-    return pages
 
 
 def inspect(book: Path, built: Path, *options: str) -> subprocess.CompletedProcess[str]:
@@ -34,11 +22,7 @@ def test_files_of_the_book(book: Path, built: Path) -> None:
     assert outcome.returncode == 0, outcome.stdout + outcome.stderr
 
 
-def test_every_page_opens(book: Path, built: Path) -> None:
+def test_every_page_opens(book: Path, built: Path, chromium: str) -> None:
     """Breaks on a formula that is not typeset, a script error, a lost file, a page wider than a phone."""
-    browser = shutil.which("chromium")
-    if browser is None:
-        why = "Chromium is not installed, so the pages were not opened in a browser"
-        pytest.fail(why) if REQUIRED else pytest.skip(why)
-    outcome = inspect(book, built, "--browser", browser)
+    outcome = inspect(book, built, "--browser", chromium)
     assert outcome.returncode == 0, outcome.stdout + outcome.stderr

@@ -19,7 +19,8 @@ def test_published_example() -> None:
     assert shear == pytest.approx(2.8028054171e9, rel=1e-10)
 
 
-@given(poisson_ratio=st.floats(0, 0.5), void_ratio=st.floats(0.3, 1.2), coordination=st.floats(2, 12),
+# between 0 and 1e-6 the library may refuse the tiny C1122, which is not compared here
+@given(poisson_ratio=st.just(0.0) | st.floats(1e-6, 0.5), void_ratio=st.floats(0.3, 1.2), coordination=st.floats(2, 12),
        stress=st.floats(1e3, 1e8), shear_modulus=st.floats(1e9, 1e11))
 def test_library_agrees(poisson_ratio: float, void_ratio: float, coordination: float, stress: float,
                         shear_modulus: float) -> None:

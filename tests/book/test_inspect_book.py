@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
 import pytest
@@ -55,17 +54,14 @@ def test_fault_in_the_text_is_found(tmp_path: Path, fault: str) -> None:
     assert expected in found[0]
 
 
-def test_faults_on_the_screen_are_found(tmp_path: Path) -> None:
+def test_faults_on_the_screen_are_found(tmp_path: Path, chromium: str) -> None:
     """Breaks when the browser half of the gate no longer sees one of these kinds of fault."""
-    executable = shutil.which("chromium")
-    if executable is None:
-        pytest.skip("Chromium is not installed, so pages are not opened")
     pages = {}
     for number, (body, _) in enumerate(SHOWN_FAULTS.values()):
         folder = tmp_path / str(number)
         folder.mkdir()
         pages |= one_page_book(folder, body)
-    found = problems_in_browser(tmp_path, pages, executable)
+    found = problems_in_browser(tmp_path, pages, chromium)
     for number, (_, expected) in enumerate(SHOWN_FAULTS.values()):
         of_page = [problem for problem in found if problem.startswith(f"{number}/")]
         assert [problem for problem in of_page if expected in problem], expected

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from library_key import library_digest, use_library
+from library_key import forget_old_caches, library_digest, use_library
 
 FILES = ("granular/a.py", "granular/data/b.json", "derivations/c.py", "book/_data/d.csv", "constraints.txt")
 
@@ -50,3 +50,12 @@ def test_kernels_find_the_library_beside_the_book(checkout: Path, monkeypatch: p
     assert paths == [str(checkout), str(checkout / "book" / "_ext"), "/before"]
     assert config["library_key"] == library_digest(checkout)
     assert config["nb_execution_cache_path"].endswith(library_digest(checkout))
+
+
+def test_old_caches_are_forgotten(tmp_path: Path) -> None:
+    """Breaks when every edit of the library leaves another cache behind, or the one in use is deleted."""
+    for age, name in enumerate(["in use", "first", "second", "third", "fourth"]):
+        (tmp_path / name).mkdir()
+        os.utime(tmp_path / name, (1000 - age, 1000 - age))
+    forget_old_caches(tmp_path, keep="in use", newest=2)
+    assert {path.name for path in tmp_path.iterdir()} == {"in use", "first", "second"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from derivations import engineering, kinematic, static
+from derivations import kinematic, static
 from derivations.fabric import fabric_tensor
 from derivations.symbols import (
     C1111,
@@ -61,12 +61,6 @@ def static_formulas(*, label: str = "") -> Markup:
     _require_same(derived, short, further)
     return _in_parts(label, power="-2", components=[(symbol, short[symbol]) for symbol in STIFFNESS],
                      further=tuple(further.items()))
-
-
-def engineering_formulas(*, label: str) -> Markup:
-    """Typeset the eight engineering constants."""
-    lines = list(zip(engineering.CONSTANTS, engineering.constants(), strict=True))
-    return Markup(_display(_aligned(lines), label))
 
 
 def _in_parts(label: str, *, power: str, components: list[Line], further: tuple[Line, ...]) -> Markup:

@@ -28,7 +28,7 @@ def versions() -> Markup:
 
 def data_files() -> Markup:
     """List the data files with their digests."""
-    rows = [[f"{{download}}`{Path(name).name} <{name}>`", meaning, f"`{_digest(Path(name))}`"]
+    rows = [[f"{{download}}`{Path(name).name} <{name}>`", meaning, _in_two_lines(_digest(Path(name)))]
             for name, meaning in DATA_FILES.items()]
     return table(["file", "what it holds", "SHA-256"], rows, label="tab-data",
                  caption="Data files of this book.")
@@ -36,3 +36,8 @@ def data_files() -> Markup:
 
 def _digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _in_two_lines(digest: str) -> str:
+    half = len(digest) // 2
+    return f"`{digest[:half]}` `{digest[half:]}`"

@@ -11,7 +11,7 @@ from derivations.record import Derivation, Step
 from page_tools.markup import Markup
 
 _DEFINITION = re.compile(r"([^=<>,]{1,40}?)=(?!\s*0:)")
-LONGEST_ALIGNED = 55
+LONGEST_ALIGNED = 66
 """Formulas up to this many visible signs are set below one another; longer ones stand alone and can be broken."""
 
 

@@ -1,0 +1,66 @@
+"""What pages show of a record is what the record says: nothing taken for markup, nothing lost on the way to CSV."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import io
+import re
+from pathlib import Path
+
+import pytest
+from page_tools.markup import boxed, plain, table
+from page_tools.provenance import DATA_FILES
+from page_tools.refusals import refused
+from page_tools.steps import assumptions, steps
+
+from derivations.catalogue import derivation, names
+from granular import AxialFabric
+
+
+def test_plain_text_is_not_markup() -> None:
+    """Breaks when a record's text could open a tag, a formula, a table cell or an emphasis."""
+    assert plain("k_n <rho> | 2*x >= $1") == "k\\_n \\<rho\\> \\| 2\\*x ≥ \\$1"
+
+
+def test_table_can_be_taken_away() -> None:
+    """Breaks when the CSV beside a table holds other rows than the table."""
+    rows = [["1", "a, b"], ["2", 'c "d"']]
+    text = table(["case", "what"], rows, label="tab-x", caption="Two rows.", take_away="x.csv").text
+    assert ":name: tab-x" in text
+    data = re.search(r"base64,([A-Za-z0-9+/=]+)", text)
+    assert data is not None
+    assert list(csv.reader(io.StringIO(base64.b64decode(data[1]).decode()))) == [["case", "what"], *rows]
+
+
+def test_box_holds_its_parts() -> None:
+    """Breaks when a part of a result is lost, or the box closes before its end."""
+    inner = table(["a"], [["1"]], label="tab-y", caption="One.")
+    text = boxed("Result", inner, inner).text
+    assert text.count(":name: tab-y") == 2
+    assert text.startswith("::::::{admonition} Result\n:class: result")
+    assert text.rstrip().endswith("\n::::::")
+
+
+@pytest.mark.parametrize("name", names())
+def test_steps_are_numbered_once(name: str) -> None:
+    """Breaks when two steps share a label, or a step is shown without the verdict of the machine."""
+    text = steps(name).text
+    labels = re.findall(r"^\$\$ \((eq-[a-z0-9-]+)\)$", text, flags=re.MULTILINE)
+    assert len(labels) == len(set(labels))
+    assert text.count("{.verdict}") == len(derivation(name).steps)
+    assert assumptions(name).text.startswith("- ")
+
+
+def test_a_refusal_that_does_not_happen_is_noticed() -> None:
+    """Breaks when the page of errors would go on quoting a refusal that the library has dropped or renamed."""
+    with pytest.raises(AssertionError, match="nothing was refused"):
+        refused("G-FAB-01", lambda: AxialFabric(D33=0.3))
+    with pytest.raises(AssertionError, match="expected G-FAB-02"):
+        refused("G-FAB-02", lambda: AxialFabric(D33=2.3))
+
+
+def test_every_data_file_is_listed(book: Path) -> None:
+    """Breaks when the book uses data that its list of data with digests does not name."""
+    present = {path.relative_to(book).as_posix() for path in (book / "_data").rglob("*") if path.is_file()}
+    assert present == set(DATA_FILES)
