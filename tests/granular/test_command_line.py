@@ -340,13 +340,24 @@ def test_ctrl_c_is_clean(tmp_path):
     os.mkfifo(path)
     waiting = subprocess.Popen([sys.executable, "-m", "granular", "run", path], stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True)
-    for _ in range(600):  # until the command has opened the pipe to read
+    try:
+        with open_for_writing(path, patience=60.0):
+            # A signal that falls between Python's last look and the system call is seen only when the call returns,
+            # which here it never does; half a second later the command certainly waits inside the call.
+            time.sleep(0.5)
+            waiting.send_signal(signal.SIGINT)
+            out, err = waiting.communicate(timeout=60)
+    finally:
+        waiting.kill()
+        waiting.wait()
+    assert (waiting.returncode, out, err) == (130, "", "")
+
+
+def open_for_writing(path, *, patience):
+    """Open a named pipe once somebody reads from it."""
+    for _ in range(int(patience / 0.05)):
         try:
-            writer = os.open(path, os.O_WRONLY | os.O_NONBLOCK)
-            break
+            return os.fdopen(os.open(path, os.O_WRONLY | os.O_NONBLOCK), "w")
         except OSError:
             time.sleep(0.05)
-    waiting.send_signal(signal.SIGINT)
-    out, err = waiting.communicate(timeout=60)
-    os.close(writer)
-    assert (waiting.returncode, out, err) == (130, "", "")
+    raise AssertionError("nobody opened the pipe")
