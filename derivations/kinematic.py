@@ -221,7 +221,7 @@ ASSUMPTIONS = (
     "Branch vectors are parallel to contact normals.",
     "All contacts have the same stiffness.",
 )
-EQUAL_TANGENTS = "The tangential stiffness of a contact is a fixed share of the normal one, the same in all directions."
+EQUAL_TANGENTS = "The tangential stiffness of a contact is a fixed share of the normal one, in all directions."
 DISTINCT_TANGENTS = "One tangential stiffness of a contact acts along the meridian, another along the parallel."
 DOMAIN = ("E nowhere negative", "-1 < Dr33 < 2", "0 <= nu <= 1/2")
 
