@@ -14,19 +14,25 @@ from derivations.symbols import (
     C1212,
     C2323,
     C3333,
+    E1,
+    E3,
+    G12,
+    G23,
     N11,
     N33,
     STIFFNESS,
+    K,
     kn,
     kr,
     lam,
     latex,
+    nu12,
+    nu13,
+    nu31,
     one_minus_lam,
 )
 
-E1, E3, G23, G12, K = sp.symbols("E1 E3 G23 G12 K", positive=True)
-nu12, nu13, nu31 = sp.symbols("nu12 nu13 nu31", real=True)
-block, sum_of_in_plane, contact_sum = sp.symbols("block sum_of_in_plane a", positive=True)
+block, sum_of_in_plane = sp.symbols("block sum_of_in_plane", positive=True)
 CONSTANTS = (E1, E3, nu12, nu13, nu31, G23, G12, K)
 
 
@@ -97,7 +103,9 @@ def isotropic() -> Derivation:
     printed_static = (kn / 9, sp.Rational(5, 6) * kn * kr / (3 * kn + 2 * kr))
     c1111, c3333, c1122, c1133, c2323, c1212 = (c.subs({lam: kr / kn, one_minus_lam: 1 - kr / kn})
                                                 .subs(isotropic_moments()) for c in positive_components())
-    symbols = sp.symbols("K_kinematic G_kinematic K_static G_static", positive=True)
+    symbols = sp.symbols("K_kinematic G_kinematic E_kinematic nu_kinematic K_static G_static E_static nu_static",
+                         real=True)
+    moduli = (*values["kinematic"], *further["kinematic"], *values["static"], *further["static"])
     steps = (
         Step("Kinematic hypothesis",
              "With the isotropic moments the six components satisfy the three conditions of isotropy.",
@@ -123,7 +131,7 @@ def isotropic() -> Derivation:
         assumptions=("The fabric is isotropic.", "All contacts have the same stiffness."),
         domain=("k_n, k_r > 0",),
         inputs=(kn, kr),
-        outputs=tuple(Output(n, e) for n, e in zip(symbols, (*values["kinematic"], *values["static"]), strict=True)),
+        outputs=tuple(Output(n, e) for n, e in zip(symbols, moduli, strict=True)),
         steps=steps,
     )
 

@@ -6,10 +6,7 @@ import sympy as sp
 
 from derivations import contact
 from derivations.record import Claim, Derivation, Output, Step
-from derivations.symbols import cos_alpha, sin_alpha, sin_beta, x
-
-length, mean_length, weight, radius = sp.symbols("ell ell_e W r", positive=True)
-number, volume = sp.symbols("M V", positive=True)
+from derivations.symbols import M, V, W, branch_length, cos_alpha, mean_branch_length, radius, sin_alpha, sin_beta, x
 
 
 def _one_contact(i: int, j: int, k: int, m: int, branch: sp.Matrix) -> sp.Expr:
@@ -26,9 +23,9 @@ def equations() -> Derivation:
     """Show how each of the stiffness equations follows from the one before."""
     n = contact.NORMAL
     entry = (0, 1, 2, 2)
-    general = _one_contact(*entry, length * n)
+    general = _one_contact(*entry, branch_length * n)
     ideal = _one_contact(*entry, 2 * radius * n)
-    variable = sp.Symbol("ell", positive=True)
+    delta = sp.DiracDelta(branch_length - mean_branch_length * W)
     steps = (
         Step("Energy of a strained assembly, eq. (1)",
              r"Under uniform strain the two grains of a contact part by $\varepsilon_{ij}$ times the branch vector. "
@@ -58,17 +55,16 @@ def equations() -> Derivation:
              "enters through its mean square alone.",
              (r"C_{ijkl} = \frac{M}{V}\int_\Omega\left[\int g(\ell)\,\ell^2\,\mathrm{d}\ell\right] "
               r"n_i\,k_{jl}\,n_k\,E(n)\,\mathrm{d}\Omega",),
-             (Claim(general, length**2 * _one_contact(*entry, n)),), result=True),
+             (Claim(general, branch_length**2 * _one_contact(*entry, n)),), result=True),
         Step("One length for each direction",
              r"For a mono-sized assembly $g$ is a Dirac delta at $\ell_e W(n)$, which leaves the weight $E W^2$.",
              (r"C_{ijkl} = \frac{M}{V}\,\ell_e^2\int_\Omega W^2(n)\,n_i\,k_{jl}\,n_k\,E(n)\,\mathrm{d}\Omega",),
-             (Claim(sp.integrate(sp.DiracDelta(variable - mean_length * weight) * variable**2, (variable, 0, sp.oo)),
-                    mean_length**2 * weight**2),)),
+             (Claim(sp.integrate(delta * branch_length**2, (branch_length, 0, sp.oo)), mean_branch_length**2 * W**2),)),
         Step("Back to eq. (4)",
              r"With $W = 1$ and $\ell_e = 2r$ the assembly is ideal again.",
              (r"W = 1,\ \ell_e = 2r:\quad \frac{M}{V}\,\ell_e^2 = \frac12\,\frac{4r^2}{V}\,(2M)",),
-             (Claim((number / volume * mean_length**2 * weight**2).subs({weight: 1, mean_length: 2 * radius}),
-                    4 * radius**2 / volume * 2 * number / 2),)),
+             (Claim((M / V * mean_branch_length**2 * W**2).subs({W: 1, mean_branch_length: 2 * radius}),
+                    4 * radius**2 / V * 2 * M / 2),)),
     )
     prefactor = sp.Symbol("prefactor", positive=True)
     return Derivation(
@@ -79,8 +75,8 @@ def equations() -> Derivation:
                      "Branch vectors are parallel to contact normals.",
                      "The strain is small enough for the microstructure to stay as it is."),
         domain=("any fabric",),
-        inputs=(number, volume, mean_length),
-        outputs=(Output(prefactor, number / volume * mean_length**2, "1/m"),),
+        inputs=(M, V, mean_branch_length),
+        outputs=(Output(prefactor, M / V * mean_branch_length**2, "1/m"),),
         steps=steps,
     )
 

@@ -53,6 +53,10 @@ nu = sp.Symbol("nu", nonnegative=True)
 lam = sp.Symbol("lam", positive=True)
 one_minus_lam = sp.Symbol("one_minus_lam", nonnegative=True)
 
+# Assembly.
+M, V = sp.symbols("M V", positive=True)
+branch_length, mean_branch_length, W, radius = sp.symbols("ell ell_e W r", positive=True)
+
 # Moments.
 m0, m1, m2 = sp.symbols("m0 m1 m2", positive=True)
 p0, p1, p2 = sp.symbols("p0 p1 p2", positive=True)
@@ -64,6 +68,10 @@ S1111, S3333, S2323, S1212 = sp.symbols("S1111 S3333 S2323 S1212", positive=True
 S1122, S1133 = sp.symbols("S1122 S1133", real=True)
 density = sp.Symbol("density", positive=True)
 sin_squared, cos_squared = sp.symbols("sin_squared cos_squared", nonnegative=True)
+E1, E3, G23, G12, K = sp.symbols("E1 E3 G23 G12 K", positive=True)
+nu12, nu13, nu31 = sp.symbols("nu12 nu13 nu31", real=True)
+v_P, v_SV, v_SH = sp.symbols("v_P v_SV v_SH", positive=True)
+epsilon, gamma, delta = sp.symbols("epsilon gamma delta", real=True)
 
 STIFFNESS = (C1111, C3333, C1122, C1133, C2323, C1212)
 COMPLIANCE = (S1111, S3333, S1122, S1133, S2323, S1212)
@@ -105,6 +113,26 @@ GLOSSARY: tuple[Quantity, ...] = (
       for c in STIFFNESS),
     *(Quantity(c, rf"S_{{{c.name[1:]}}}", "1/Pa", "positive definite", f"compliance component {c.name[1:]}")
       for c in COMPLIANCE),
+    Quantity(M, r"M", "-", "> 0", "number of contacts in the representative volume"),
+    Quantity(V, r"V", "m^3", "> 0", "representative volume"),
+    Quantity(branch_length, r"\ell", "m", "> 0", "length of a branch vector"),
+    Quantity(mean_branch_length, r"\ell_e", "m", "> 0", "mean length of the branch vectors"),
+    Quantity(W, r"W", "-", "> 0", "branch-length weight of a direction"),
+    Quantity(radius, r"r", "m", "> 0", "radius of equal spheres"),
+    Quantity(E1, r"E_1", "Pa", "> 0", "Young's modulus across axis 3"),
+    Quantity(E3, r"E_3", "Pa", "> 0", "Young's modulus along axis 3"),
+    Quantity(nu12, r"\nu_{12}", "-", "-1 to 1", "Poisson's ratio between two directions across axis 3"),
+    Quantity(nu13, r"\nu_{13}", "-", "positive definite", "contraction along axis 3 under a pull across it"),
+    Quantity(nu31, r"\nu_{31}", "-", "positive definite", "contraction across axis 3 under a pull along it"),
+    Quantity(G23, r"G_{23}", "Pa", "> 0", "shear modulus of planes through axis 3"),
+    Quantity(G12, r"G_{12}", "Pa", "> 0", "shear modulus of the plane across axis 3"),
+    Quantity(K, r"K", "Pa", "> 0", "bulk modulus under equal pressure from all sides"),
+    Quantity(v_P, r"v_P", "m/s", "> 0", "phase speed of the faster wave polarised in the plane of axis 3"),
+    Quantity(v_SV, r"v_{SV}", "m/s", "> 0", "phase speed of the slower wave polarised in the plane of axis 3"),
+    Quantity(v_SH, r"v_{SH}", "m/s", "> 0", "phase speed of the wave polarised across axis 3"),
+    Quantity(epsilon, r"\epsilon", "-", "any", "Thomsen's parameter of compression across and along axis 3"),
+    Quantity(gamma, r"\gamma", "-", "any", "Thomsen's parameter of shear across and along axis 3"),
+    Quantity(delta, r"\delta", "-", "any", "Thomsen's parameter of compression near axis 3"),
     Quantity(density, r"\rho", "kg/m^3", "> 0", "bulk density of the assembly"),
     Quantity(sin_squared, r"\sin^2\theta", "-", "0 to 1", "squared sine of the angle of propagation from axis 3"),
     Quantity(cos_squared, r"\cos^2\theta", "-", "0 to 1", "squared cosine of the angle of propagation from axis 3"),

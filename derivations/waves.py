@@ -13,15 +13,19 @@ from derivations.symbols import (
     C2323,
     C3333,
     cos_squared,
+    delta,
     density,
+    epsilon,
+    gamma,
     latex,
     s,
     sin_squared,
+    v_P,
+    v_SH,
+    v_SV,
     y,
 )
 
-v_P, v_SV, v_SH = sp.symbols("v_P v_SV v_SH", positive=True)
-epsilon, gamma, delta = sp.symbols("epsilon gamma delta", real=True)
 half_sum, half_difference, coupling, root = sp.symbols("half_sum half_difference coupling root", real=True)
 fast, slow, bracket = sp.symbols("fast slow bracket", positive=True)
 

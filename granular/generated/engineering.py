@@ -33,13 +33,21 @@ def engineering_constants(
     Returns
     -------
     E1 : float [Pa]
+        Young's modulus across axis 3.
     E3 : float [Pa]
+        Young's modulus along axis 3.
     nu12 : float [-]
+        Poisson's ratio between two directions across axis 3.
     nu13 : float [-]
+        Contraction along axis 3 under a pull across it.
     nu31 : float [-]
+        Contraction across axis 3 under a pull along it.
     G23 : float [Pa]
+        Shear modulus of planes through axis 3.
     G12 : float [Pa]
+        Shear modulus of the plane across axis 3.
     K : float [Pa]
+        Bulk modulus under equal pressure from all sides.
 
     Operations: 31.
     """

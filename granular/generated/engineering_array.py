@@ -40,13 +40,21 @@ def engineering_constants(
     Returns
     -------
     E1 : (...) array [Pa]
+        Young's modulus across axis 3.
     E3 : (...) array [Pa]
+        Young's modulus along axis 3.
     nu12 : (...) array [-]
+        Poisson's ratio between two directions across axis 3.
     nu13 : (...) array [-]
+        Contraction along axis 3 under a pull across it.
     nu31 : (...) array [-]
+        Contraction across axis 3 under a pull along it.
     G23 : (...) array [Pa]
+        Shear modulus of planes through axis 3.
     G12 : (...) array [Pa]
+        Shear modulus of the plane across axis 3.
     K : (...) array [Pa]
+        Bulk modulus under equal pressure from all sides.
 
     Operations: 31.
     """

@@ -41,8 +41,11 @@ def phase_velocities(
     Returns
     -------
     v_P : float [m/s]
+        Phase speed of the faster wave polarised in the plane of axis 3.
     v_SV : float [m/s]
+        Phase speed of the slower wave polarised in the plane of axis 3.
     v_SH : float [m/s]
+        Phase speed of the wave polarised across axis 3.
 
     Operations: 57.
     """
@@ -80,8 +83,11 @@ def thomsen(
     Returns
     -------
     epsilon : float [-]
+        Thomsen's parameter of compression across and along axis 3.
     gamma : float [-]
+        Thomsen's parameter of shear across and along axis 3.
     delta : float [-]
+        Thomsen's parameter of compression near axis 3.
 
     Operations: 15.
     """

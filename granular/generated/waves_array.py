@@ -47,8 +47,11 @@ def phase_velocities(
     Returns
     -------
     v_P : (...) array [m/s]
+        Phase speed of the faster wave polarised in the plane of axis 3.
     v_SV : (...) array [m/s]
+        Phase speed of the slower wave polarised in the plane of axis 3.
     v_SH : (...) array [m/s]
+        Phase speed of the wave polarised across axis 3.
 
     Operations: 57.
     """
@@ -86,8 +89,11 @@ def thomsen(
     Returns
     -------
     epsilon : (...) array [-]
+        Thomsen's parameter of compression across and along axis 3.
     gamma : (...) array [-]
+        Thomsen's parameter of shear across and along axis 3.
     delta : (...) array [-]
+        Thomsen's parameter of compression near axis 3.
 
     Operations: 15.
     """

@@ -18,8 +18,11 @@ from derivations.symbols import (
     density,
     nu,
     sin_squared,
+    v_P,
+    v_SH,
+    v_SV,
 )
-from derivations.waves import christoffel, squared_speeds, v_P, v_SH, v_SV, velocity_function
+from derivations.waves import christoffel, squared_speeds, velocity_function
 
 SAMPLE = {C1111: 7, C3333: 5, C1133: 1, C2323: 2, C1212: 3, density: 1}
 THIRD = {sin_squared: sp.Rational(2, 3), cos_squared: sp.Rational(1, 3)}
