@@ -42,7 +42,7 @@ def cost_figure(data: str) -> Static:
     figure.supylabel("relative error of the worst component", fontsize="medium")
     figure.supxlabel("time over the closed form in floats", fontsize="medium")
     handles, names = axes.flat[0].get_legend_handles_labels()
-    figure.legend(handles, names, loc="outside lower center", ncols=6, frameon=False, handletextpad=0.3,
+    figure.legend(handles, names, loc="outside upper center", ncols=6, frameon=False, handletextpad=0.3,
                   columnspacing=1.0)
     return Static(figure)
 

@@ -65,8 +65,8 @@ def static_formulas(*, label: str = "") -> Markup:
 
 def _in_parts(label: str, *, power: str, components: list[Line], further: tuple[Line, ...]) -> Markup:
     """Components first, then what they contain: moments, shorthand, ratios."""
-    ratios = (rf"{latex(lam)} = {latex(kinematic.LAM)},\qquad "
-              rf"{latex(one_minus_lam)} = 1 - {latex(lam)} = {latex(kinematic.ONE_MINUS_LAM)}.")
+    ratios = (rf"\begin{{aligned}}{latex(lam)} &= {latex(kinematic.LAM)}, \\[3pt] {latex(one_minus_lam)} &= "
+              rf"1 - {latex(lam)} = {latex(kinematic.ONE_MINUS_LAM)}.\end{{aligned}}")
     parts = [f"In units of ${SCALE}$,", _display(_aligned(components), label), "with",
              _display(MOMENTS % power, label and f"{label}-moments"),
              *([_display(_aligned(list(further)), label and f"{label}-shorthand")] if further else []),
