@@ -59,6 +59,7 @@ class Page(html.parser.HTMLParser):
 
     def __post_init__(self) -> None:
         super().__init__()
+        self._in_words = False  # whether the element around the next one says in words what it shows
         text = self.path.read_text(encoding="utf-8")
         self.loads += STYLE_LOADS.findall(text)
         self.feed(text)
@@ -71,6 +72,9 @@ class Page(html.parser.HTMLParser):
             self.loads.append(given[LOADING_ATTRIBUTES[tag]])
         if tag == "a" and given.get("href"):
             self.links.append(given["href"])
+        if "plotly-graph-div" in given.get("class", "") and not self._in_words:
+            self.unnamed_pictures.append(given.get("id", "?"))
+        self._in_words = bool(given.get("aria-label")) or (tag == "div" and not given.get("class") and self._in_words)
         # Sphinx writes the file name where an author gave no words.
         if tag == "img" and (not given.get("alt") or "_images/" in given["alt"]):
             self.unnamed_pictures.append(given.get("src", "?"))

@@ -7,6 +7,7 @@ import csv
 import io
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from html import escape
 from typing import Protocol
 
 
@@ -24,6 +25,23 @@ class Markup:
 
     def _repr_markdown_(self) -> str:
         return self.text
+
+
+class ShownAsHtml(Protocol):
+    """Anything that a notebook can show as HTML."""
+
+    def _repr_html_(self) -> str: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Described:
+    """An interactive figure with words for readers who cannot see it."""
+
+    figure: ShownAsHtml
+    words: str
+
+    def _repr_html_(self) -> str:
+        return f'<div role="figure" aria-label="{escape(self.words)}">{self.figure._repr_html_()}</div>'
 
 
 def boxed(title: str, *parts: Shown) -> Markup:
