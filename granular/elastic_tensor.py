@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Self
@@ -33,7 +34,7 @@ SIX = ("1111", "3333", "1122", "1133", "2323", "1212")
 
 
 @dataclass(frozen=True, slots=True, repr=False)
-class ElasticTensor:
+class ElasticTensor(ABC):
     """What stiffness and compliance have in common; use one of the two.
 
     Parameters
@@ -344,9 +345,9 @@ class ElasticTensor:
         return f"{type(self).__name__}.from_mandel({self.rows!r})"
 
     @classmethod
+    @abstractmethod
     def _voigt_factor(cls, row: int, column: int) -> float:
         """What a Mandel entry is multiplied by to stand in the Voigt matrix of this kind of tensor."""
-        raise NotImplementedError
 
     @classmethod
     def _checked_six(cls, values: Iterable[float]) -> Self:

@@ -7,6 +7,7 @@ itself in the published JSON schema, so that the three can never differ.
 from __future__ import annotations
 
 import difflib
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -21,7 +22,7 @@ _QUANTITY_PATTERN = r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*\S.*$"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Kind:
+class Kind(ABC):
     """What all kinds share: an optional value may be None, and the reading is done by ``read``."""
 
     optional: bool = False
@@ -38,13 +39,13 @@ class Kind:
     def _read_optional(self, value: object, info: ValidationInfo) -> object:
         return None if value is None and self.optional else self.read(value, info.field_name or "value")
 
+    @abstractmethod
     def read(self, value: object, name: str) -> object:
         """Read a value that was given under a name, or refuse it."""
-        raise NotImplementedError
 
+    @abstractmethod
     def json_schema(self) -> dict[str, Any]:
         """JSON schema of the values that ``read`` takes."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

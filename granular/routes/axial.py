@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import require_accuracy
 from granular.routes.axial_rules import POWERS, AxialRule, Axis, axial_rule, crowding, nodes_needed
+from granular.routes.rational import fractions_of, rounded
 from granular.routes.result import RouteResult, Six
 
 if TYPE_CHECKING:
@@ -140,13 +141,10 @@ def components_by_rule(fabric: AxialFabric, *, poisson_ratio: float, hypothesis:
     density = (1 - d33 / 2 + 3 * d3333 / 8, 2 + d33 / 2 - 3 * d3333, 1 + d33 + d3333)
     averages = _averages(fabric, hypothesis, rule)
     p0, p1, p2 = (sum((e * averages[j + k] for j, e in enumerate(density)), Fraction(0)) for k in range(3))
-    # Emitted for floats, and exact on fractions: the moments are the only rounded numbers here.
+    # The moments are the only rounded numbers here.
     if hypothesis is Hypothesis.KINEMATIC:
-        exact = kinematic_constant.stiffness_from_moments(p0, p1, p2, nu)  # type: ignore[arg-type]
-    else:
-        exact = static_constant.stiffness_from_moments(p0, p1, p2, d33, nu)  # type: ignore[arg-type]
-    c1111, c3333, c1122, c1133, c2323, c1212 = (float(component) for component in exact)
-    return c1111, c3333, c1122, c1133, c2323, c1212
+        return rounded(kinematic_constant.stiffness_from_moments(*fractions_of(p0, p1, p2, nu)))
+    return rounded(static_constant.stiffness_from_moments(*fractions_of(p0, p1, p2, d33, nu)))
 
 
 def _averages(fabric: AxialFabric, hypothesis: Hypothesis, rule: AxialRule) -> list[Fraction]:

@@ -6,11 +6,11 @@ emitted arithmetic on arrays of floats.
 
 from __future__ import annotations
 
-from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from granular.errors import RouteOutOfDomain
 from granular.hypothesis import Hypothesis
+from granular.routes.rational import fractions_of, rounded
 from granular.routes.result import RouteResult, Six
 
 if TYPE_CHECKING:
@@ -98,23 +98,12 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
 def _kinematic(fabric: AxialFabric, poisson_ratio: float) -> Six:
     from granular.generated.kinematic_constant import kinematic_constant
 
-    exact = _exact(fabric.D33, fabric.D3333, fabric.Dr33, poisson_ratio)
-    return _rounded(kinematic_constant(*exact))
+    exact = fractions_of(fabric.D33, fabric.D3333, fabric.Dr33, poisson_ratio)
+    return rounded(kinematic_constant(*exact))
 
 
 def _static(fabric: AxialFabric, poisson_ratio: float) -> Six:
     from granular.generated.static_constant import static_moments, stiffness_from_moments
 
     moments = static_moments(fabric.D33, fabric.D3333, fabric.Dr33)
-    return _rounded(stiffness_from_moments(*_exact(*moments, fabric.D33, poisson_ratio)))
-
-
-def _exact(*numbers: float) -> Any:
-    """Doubles as the fractions that they are; the emitted arithmetic is exact on fractions, though typed for floats."""
-    return tuple(Fraction(number) for number in numbers)
-
-
-def _rounded(components: Six) -> Six:
-    """Round each component once."""
-    c1111, c3333, c1122, c1133, c2323, c1212 = components
-    return float(c1111), float(c3333), float(c1122), float(c1133), float(c2323), float(c1212)
+    return rounded(stiffness_from_moments(*fractions_of(*moments, fabric.D33, poisson_ratio)))

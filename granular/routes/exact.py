@@ -7,11 +7,12 @@ components are rational numbers: C1111/C3333 = 678697/466603 for the first case 
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from granular.errors import RouteOutOfDomain
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import HALF_ULP, require_accuracy
+from granular.routes.rational import fractions_of, rounded
 from granular.routes.result import RouteResult
 
 if TYPE_CHECKING:
@@ -57,10 +58,9 @@ def rational_components(fabric: AxialFabric, *, poisson_ratio: float,
     from granular.generated.kinematic_constant import kinematic_constant
 
     numbers = (fabric.D33, fabric.D3333, fabric.Dr33, poisson_ratio)
-    d33, d3333, dr33, nu = (Fraction(repr(float(number))) if decimal else Fraction(number) for number in numbers)
-    # Emitted for floats, and exact on fractions.
-    components: tuple[Fraction, ...] = kinematic_constant(d33, d3333, dr33, nu)  # type: ignore[arg-type,assignment]
-    return components
+    exact = fractions_of(*(Fraction(repr(float(number))) if decimal else number for number in numbers))
+    components: Any = kinematic_constant(*exact)
+    return tuple(components)
 
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
@@ -107,6 +107,5 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
                                allowed="allowed: the kinematic hypothesis, whose components are rational",
                                remedy="Use the route closed_form or axial.")
     require_accuracy(NAME, HALF_ULP, rtol)
-    c1111, c3333, c1122, c1133, c2323, c1212 = (
-        float(value) for value in rational_components(fabric, poisson_ratio=poisson_ratio, decimal=False))
-    return RouteResult((c1111, c3333, c1122, c1133, c2323, c1212), HALF_ULP, 0)
+    components = rational_components(fabric, poisson_ratio=poisson_ratio, decimal=False)
+    return RouteResult(rounded(components), HALF_ULP, 0)
