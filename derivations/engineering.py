@@ -90,10 +90,9 @@ def isotropic_engineering() -> dict[str, tuple[sp.Expr, sp.Expr]]:
 
 
 def _moduli(stiffness: tuple[sp.Expr, sp.Expr], young: tuple[sp.Expr, sp.Expr]) -> tuple[str, ...]:
-    """K, G, E over a = M l_e^2/V, and Poisson's ratio, as one line of formulas."""
+    """Formulas of K, G, E over a = M l_e^2/V and of Poisson's ratio."""
     names = (r"\frac{K}{a}", r"\frac{G}{a}", r"\frac{E}{a}", r"\nu_{\mathrm{assembly}}")
-    values = (*stiffness, *young)
-    return (r",\quad ".join(f"{name} = {latex(value)}" for name, value in zip(names, values, strict=True)),)
+    return tuple(f"{name} = {latex(value)}" for name, value in zip(names, (*stiffness, *young), strict=True))
 
 
 def isotropic() -> Derivation:

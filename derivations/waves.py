@@ -119,8 +119,8 @@ def waves() -> Derivation:
         Step("Christoffel matrix",
              "A plane wave along $n$ moves the solid along an eigenvector of $C_{ijkl}n_in_l$; the eigenvalue is the "
              "density times the squared phase speed. For $n$ in the plane of axes 1 and 3 the matrix splits.",
-             (rf"\Gamma_{{13}} = {latex(sp.factor(matrix[0, 2]))},\quad \Gamma_{{11}} = {latex(matrix[0, 0])},\quad "
-              rf"\Gamma_{{33}} = {latex(matrix[2, 2])},\quad \Gamma_{{22}} = {latex(matrix[1, 1])}",),
+             (rf"\Gamma_{{11}} = {latex(matrix[0, 0])}", rf"\Gamma_{{33}} = {latex(matrix[2, 2])}",
+              rf"\Gamma_{{13}} = {latex(sp.factor(matrix[0, 2]))}", rf"\Gamma_{{22}} = {latex(matrix[1, 1])}"),
              (Claim(matrix[0, 1], sp.Integer(0)), Claim(matrix[1, 2], sp.Integer(0)),
               Claim(matrix[1, 1], horizontal))),
         Step("In-plane waves",

@@ -85,7 +85,7 @@ def axial_stiffness(
 
     Notes
     -----
-    Accuracy: every component to 2^-49, about 1.8e-15 of itself.
+    Accuracy: every component to 2^-49, about 1.8e-15 of itself, unless it is below 2.3e-308.
     Source: eqs (4), (7), and Figure 1(b) with (23); for the test of equal forces eq. (23).
 
     Examples

@@ -15,6 +15,7 @@ from granular.errors import CertifiedArithmeticMissing, RouteOutOfDomain
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import HALF_ULP, require_accuracy
+from granular.routes.rational import rounded
 from granular.routes.result import COMPONENTS, RouteResult
 
 NAME = "certified"
@@ -150,8 +151,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     """
     require_accuracy(NAME, HALF_ULP, rtol)
     enclosures = enclose(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis)
-    c1111, c3333, c1122, c1133, c2323, c1212 = (float(enclosure.midpoint) for enclosure in enclosures)
-    return RouteResult((c1111, c3333, c1122, c1133, c2323, c1212), HALF_ULP, 0)
+    components = rounded(enclosure.midpoint for enclosure in enclosures)
+    return RouteResult(components, HALF_ULP, 0)
 
 
 def available() -> bool:

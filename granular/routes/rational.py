@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
-from granular.routes.result import Six
+from granular.errors import ResultOutOfRange
+from granular.routes.result import COMPONENTS, Six
 
 
 def fractions_of(*numbers: float | Fraction) -> Any:
@@ -42,6 +44,20 @@ def rounded(components: Iterable[float | Fraction]) -> Six:
     -------
     tuple of 6 float
         The nearest doubles, same unit.
+
+    Raises
+    ------
+    ResultOutOfRange
+        A component is so small that a double holds only some of its digits; a component that is zero is zero.
     """
-    c1111, c3333, c1122, c1133, c2323, c1212 = components
-    return float(c1111), float(c3333), float(c1122), float(c1133), float(c2323), float(c1212)
+    c1111, c3333, c1122, c1133, c2323, c1212 = (_nearest(name, exact)
+                                                for name, exact in zip(COMPONENTS, components, strict=True))
+    return c1111, c3333, c1122, c1133, c2323, c1212
+
+
+def _nearest(name: str, exact: float | Fraction) -> float:
+    if exact != 0 and abs(Fraction(exact)) < sys.float_info.min:
+        raise ResultOutOfRange(f"{name} = {float(exact):.3g} over (M/V) l_e^2 k_n,ref",
+                               allowed=f"allowed 0, or {sys.float_info.min:.3g} and more",
+                               remedy="Give poisson_ratio = 0 if it was meant to be none.")
+    return float(exact)

@@ -31,7 +31,7 @@ def error(components: tuple[float, ...], fabric: AxialFabric, nu: float, hypothe
                for value, e in zip(components, enclosures, strict=True))
 
 
-@given(D33=st.floats(-1, 2), Dr33=st.floats(NEXT_TO_MINUS_ONE, NEXT_TO_TWO), nu=st.just(0.0) | st.floats(1e-290, 0.5))
+@given(D33=st.floats(-1, 2), Dr33=st.floats(NEXT_TO_MINUS_ONE, NEXT_TO_TWO), nu=st.just(0.0) | st.floats(1e-200, 0.5))
 @settings(max_examples=150, deadline=None)
 def test_declared_error_holds(D33: float, Dr33: float, nu: float) -> None:
     """Some admissible fabric of rank two errs by more than is declared."""
@@ -41,7 +41,7 @@ def test_declared_error_holds(D33: float, Dr33: float, nu: float) -> None:
         assert error(result.components, fabric, nu, hypothesis) <= result.relative_error
 
 
-@pytest.mark.parametrize("nu", [0.0, 1e-300, 0.21, 0.5])
+@pytest.mark.parametrize("nu", [0.0, 1e-200, 0.21, 0.5])
 @pytest.mark.parametrize("Dr33", [NEXT_TO_MINUS_ONE, -1 + 1e-9, 0.0, 2 - 1e-9, NEXT_TO_TWO])
 @pytest.mark.parametrize("D33", [-1.0, -1 + 1e-16, 0.3, 2.0])
 def test_corners_of_the_region(D33: float, Dr33: float, nu: float) -> None:

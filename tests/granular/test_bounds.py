@@ -21,7 +21,8 @@ DR_LOWEST, DR_HIGHEST = math.nextafter(-1.0, 0.0), math.nextafter(2.0, 0.0)
 d33 = st.one_of(st.floats(-1, 2), st.sampled_from([-1.0, 2.0, 0.0, 1e-300, -1e-16]))
 dr33 = st.one_of(st.floats(-1, 2, exclude_min=True, exclude_max=True),
                  st.sampled_from([DR_LOWEST, DR_HIGHEST, 0.0, 1e-16]))
-poisson = st.one_of(st.floats(0, 0.5), st.sampled_from([0.0, 0.5, 1e-300]))
+# Below 1e-200 a lateral component may be smaller than the smallest normal double, and is then refused.
+poisson = st.one_of(st.floats(1e-200, 0.5), st.sampled_from([0.0, 0.5]))
 
 
 @st.composite

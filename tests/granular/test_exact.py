@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from types import ModuleType
 
 import pytest
 
-from granular.errors import RouteOutOfDomain
+from granular.errors import ResultOutOfRange, RouteOutOfDomain
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
-from granular.routes import exact, midpoint
+from granular.routes import axial, certified, closed_form, exact, midpoint
 
 
 def test_decimals_are_read_as_written() -> None:
@@ -70,3 +71,12 @@ def test_the_midpoint_rule_promises_nothing() -> None:
     for panels in (1, 0, -24, 10_001):
         with pytest.raises(RouteOutOfDomain, match="panels"):
             midpoint.evaluate(AxialFabric(), **arguments, panels=panels)
+
+
+@pytest.mark.parametrize("route", [closed_form, exact, axial, certified])
+def test_a_component_short_of_digits_is_refused(route: ModuleType) -> None:
+    """A lateral component below the smallest normal double kept its promise of relative accuracy by luck only."""
+    with pytest.raises(ResultOutOfRange, match="poisson_ratio = 0"):
+        route.evaluate(AxialFabric(Dr33=-0.3), poisson_ratio=1e-307, hypothesis=Hypothesis.KINEMATIC)
+    zero = route.evaluate(AxialFabric(Dr33=-0.3), poisson_ratio=0.0, hypothesis=Hypothesis.KINEMATIC)
+    assert zero.components[2:4] == (0.0, 0.0)
