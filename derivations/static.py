@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import sympy as sp
 
 from derivations import contact
@@ -82,6 +84,23 @@ def positive_stiffness(bulk: sp.Expr = BULK, shear: sp.Expr = SHEAR) -> tuple[sp
     c1122 = N11**2 * one_minus_lam * (lam * p0 * (p1 + p2) + one_minus_lam * p1 * (p0 + 2 * p1)) / (bulk * shear)
     return (c1122 + 2 * c1212, N33**2 * (lam * p0 + p1) / bulk, c1122, N11 * N33 * one_minus_lam * p1 / bulk,
             1 / (4 * positive_compliance()[4]), c1212)
+
+
+def _by_fabric(compliance: sp.Expr) -> str:
+    """Typeset a compliance as one bracket for each product of fabric components in the denominator."""
+    a11, a33 = sp.symbols("a11 a33", positive=True)
+    groups = sp.Poly(sp.expand(compliance.subs({N11: 1 / a11, N33: 1 / a33})), a11, a33).terms()
+    text = ""
+    for (of_11, of_33), coefficient in groups:
+        eightfold = sp.expand(8 * coefficient)
+        whole = [int(term.as_coeff_Mul()[0]) for term in sp.Add.make_args(eightfold)]
+        divisor = math.gcd(*whole) * (-1 if max(whole) < 0 else 1)
+        inner = sp.collect(sp.expand(eightfold / divisor), (1 / kt, 1 / lam))
+        head = latex(sp.Rational(abs(divisor), 8) / (N11**of_11 * N33**of_33))
+        sign = "-" if divisor < 0 else "+" if text else ""
+        bracket = latex(inner) if inner.is_Mul else rf"\left({latex(inner)}\right)"
+        text += f" {sign} {head}{bracket}"
+    return text.strip()
 
 
 def _abbreviated() -> tuple[sp.Expr, ...]:
@@ -190,12 +209,11 @@ def _compliance_steps() -> tuple[Step, ...]:
               r"\frac{E}{W^2}\,\mathrm{d}\Omega",)),
         Step("Six compliances, each linear in three moments",
              "The average over the azimuth leaves quadratic forms in $s$ and $y$, as for the stiffness.",
-             tuple(f"{latex(c)} = {latex(sp.collect(e, (kn, ks, kt)))}"
-                   for c, e in zip(COMPLIANCE, components(), strict=True)),
+             tuple(f"{latex(c)} = {_by_fabric(e)}" for c, e in zip(COMPLIANCE, components(), strict=True)),
              (Claim(components()[5], (components()[0] - components()[2]) / 2),), result=True),
         Step("Equal tangential stiffness",
              r"For $k_s = k_t = \lambda k_n$ the components times $k_n$ become",
-             tuple(f"{latex(c)} = {latex(e)}" for c, e in zip(COMPLIANCE, positive_compliance(), strict=True)),
+             tuple(f"{latex(c)} = {_by_fabric(e)}" for c, e in zip(COMPLIANCE, positive_compliance(), strict=True)),
              tuple(Claim(kn * e.subs(kr, lam * kn), _explicit(f))
                    for e, f in zip(equal, positive_compliance(), strict=True))),
     )

@@ -143,11 +143,11 @@ def moment_steps() -> tuple[Step, ...]:
              (Claim(sp.expand(remainder), sp.Integer(1)),)),
         Step("Well-conditioned series",
              "Factors $(1-v)^3$, $(1-v)^2$, 1, $1+v$, $(1+v)^2$ taken out of the five integrals leave series "
-             r"$\Sigma_k(v)$ whose terms hardly cancel for $|v| \le \tfrac12$. They are cut where the rest is below "
+             r"$\Phi_k(v)$ whose terms hardly cancel for $|v| \le \tfrac12$. They are cut where the rest is below "
              "$2^{-57}$ of the sum; "
              + ", ".join(str(len(series(k).coefficients)) for k in range(5)) + " terms are kept.",
-             (r"H_0 = \frac{2\,\Sigma_0}{w_0(w_0+\sqrt{w_0w_1})}", r"H_1 = \frac{\Sigma_1}{g^2w_0}",
-              r"H_2 = \frac{\Sigma_2}{g^4}", r"H_3 = \frac{2\,\Sigma_3}{g^2(w_1+\sqrt{w_0w_1})}",
-              r"H_4 = \frac{\Sigma_4}{g^2w_1}"),
+             (r"H_0 = \frac{2\,\Phi_0}{w_0(w_0+\sqrt{w_0w_1})}", r"H_1 = \frac{\Phi_1}{g^2w_0}",
+              r"H_2 = \frac{\Phi_2}{g^4}", r"H_3 = \frac{2\,\Phi_3}{g^2(w_1+\sqrt{w_0w_1})}",
+              r"H_4 = \frac{\Phi_4}{g^2w_1}"),
              tuple(_geometric_check(k, 5) for k in range(5))),
     )
