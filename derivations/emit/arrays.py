@@ -8,7 +8,6 @@ from derivations.emit.module import (
     all_series,
     assignments,
     chained_body,
-    coefficient_table,
     docstring,
     end_to_end,
     end_to_end_operations,
@@ -40,9 +39,10 @@ def array_module(derivation: Derivation) -> str:
                "import numpy as np", "import numpy.typing as npt"]
     if any("sqrt(" in body for body in bodies):
         imports.append("from numpy import sqrt")
+    if series:
+        imports.append(f"\nfrom .{derivation.name} import {', '.join(one.name for one in series)}")
     imports.append("\nArray: TypeAlias = npt.NDArray[np.float64]")
     parts = [header(derivation, "functions of arrays"), "\n".join(imports) + "\n"]
-    parts += [coefficient_table(one) for one in series]
     blocks = [*([POLYNOMIAL] if series else []), *bodies]
     return "\n".join(parts) + "\n\n" + "\n\n".join(blocks)
 

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -108,7 +109,7 @@ def test_scalar_modules_import_nothing_but_math(name: str) -> None:
 def test_emitted_code_computes_the_derived_expression(name: str) -> None:
     """Run the emitted text on exact fractions and compare with SymPy: a lost bracket breaks this."""
     record = derivation(name)
-    namespace: dict[str, object] = {}
+    namespace: dict[str, Any] = {}
     exec(compile(scalar_module(record), name, "exec"), namespace)
     for function in record.functions:
         if function.series or any(e.has(sp.Pow) and e.atoms(sp.Pow) and _has_root(e) for _, e in function.assignments):
@@ -116,7 +117,7 @@ def test_emitted_code_computes_the_derived_expression(name: str) -> None:
         values = [Fraction(k + 2, 2 * k + 5) for k in range(len(function.arguments))]
         exact = {a: sp.Rational(q.numerator, q.denominator) for a, q in zip(function.arguments, values, strict=True)}
         expected = [e.subs(exact) for e in function.substituted().values()]
-        found = namespace[function.name](*values)  # type: ignore[operator]
+        found = namespace[function.name](*values)
         assert [sp.Rational(f.numerator, f.denominator) for f in found] == expected
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 import sympy as sp
 
@@ -73,9 +75,9 @@ def test_polynomial_in_the_fabric(component: sp.Symbol) -> None:
 
 
 @pytest.mark.parametrize("build", [kinematic_constant, kinematic_three])
-def test_kinematic_functions_are_the_outputs(build: object) -> None:
+def test_kinematic_functions_are_the_outputs(build: Callable[[], Derivation]) -> None:
     """The hand-ordered arithmetic must be the derived closed form, term by term."""
-    derivation = build()  # type: ignore[operator]
+    derivation = build()
     emitted = composed(derivation)
     for output in derivation.outputs:
         assert sp.cancel(sp.together(emitted[output.symbol] - output.expression)) == 0

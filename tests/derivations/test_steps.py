@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 import sympy as sp
 
 from derivations import catalogue
-from derivations.record import Claim, Step
+from derivations.record import Claim, Derivation, Step
 from derivations.symbols import GLOSSARY, p0, p1
 
 STEPS = [(build.__name__, number, step) for build in catalogue.CATALOGUE
@@ -39,10 +41,10 @@ def test_almost_every_step_has_a_claim() -> None:
 
 
 @pytest.mark.parametrize("build", catalogue.CATALOGUE, ids=catalogue.names())
-def test_record_is_complete(build: object) -> None:
+def test_record_is_complete(build: Callable[[], Derivation]) -> None:
     """A record without sources, assumptions, domain or declared inputs breaks this."""
-    record = catalogue.derivation(build.__name__)  # type: ignore[attr-defined]
-    assert record.name == build.__name__  # type: ignore[attr-defined]
+    record = catalogue.derivation(build.__name__)
+    assert record.name == build.__name__
     assert record.title and record.assumptions and record.domain and record.outputs and record.steps
     if record.functions:
         declared = {quantity.symbol for quantity in GLOSSARY}
