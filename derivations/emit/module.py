@@ -10,7 +10,7 @@ import sympy as sp
 from derivations.emit.printer import python_source
 from derivations.record import Derivation, Function
 from derivations.series import TruncatedSeries
-from derivations.symbols import GLOSSARY
+from derivations.symbols import GLOSSARY, POSITIVE_MOMENTS
 
 WIDTH = 110
 
@@ -27,8 +27,15 @@ def header(derivation: Derivation, kind: str) -> str:
             f"Emitted by ``derivations write`` from the derivation ``{derivation.name}``; do not edit.\n"
             f"{sources}Domain: {'; '.join(derivation.domain)}.\n"
             f"Operations: {sum(f.operations() for f in derivation.functions)}"
-            f" ({operations_before(derivation)} in the outputs as derived).\n"
+            f" ({operations_before(derivation)} in the outputs as derived{_moments_apart(derivation)}).\n"
             f'"""\n')
+
+
+def _moments_apart(derivation: Derivation) -> str:
+    """Say so when the outputs are counted with the moments as symbols, though the functions compute the moments."""
+    computed = {symbol for function in derivation.functions for symbol in function.returns}
+    free = {symbol for output in derivation.outputs for symbol in output.expression.free_symbols}
+    return ", moments counted apart" if computed & free & set(POSITIVE_MOMENTS) else ""
 
 
 def operations_before(derivation: Derivation) -> int:

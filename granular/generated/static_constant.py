@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``static_constant``; do not edit.
 Source: (2), (23), (24), Figure 1(b) of Pan & Dong (1999).
 Domain: E nowhere negative; -1 < Dr33 < 2; the emitted series: 1/9 <= w1/w0 <= 9; 0 <= nu <= 1/2.
-Operations: 596 (340 in the outputs as derived).
+Operations: 596 (340 in the outputs as derived, moments counted apart).
 """
 
 from __future__ import annotations
