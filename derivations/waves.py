@@ -146,7 +146,7 @@ def waves() -> Derivation:
         Step("Fastest shear wave",
              "Between the axis and the horizontal the in-plane shear wave has one extremum. With "
              "$p = C_{1111} - C_{2323}$ and $q = C_{3333} - C_{2323}$, both positive, and "
-             "$r = |C_{1133} + C_{2323}|$ it is a maximum where $pq > r^2$. The fastest shear wave of all directions is "
+             "$r = |C_{1133} + C_{2323}|$ it is a maximum where $pq > r^2$. The fastest shear wave of all is "
              "therefore carried by the largest of three numbers.",
              (r"\rho v^2_{\max} = \max\Bigl(C_{1212},\ C_{2323},\ C_{2323} + \frac{pq-r^2}{p+q+2r}\Bigr),\qquad "
               r"\cos^2\theta = \frac{p+r}{p+q+2r}",),
