@@ -183,16 +183,14 @@ def components_by_degree(fabric: AxialFabric, *, poisson_ratio: float, hypothesi
 
     Raises
     ------
-    NotImplementedError
-        SciPy has no Lebedev rule of that degree.
+    RouteOutOfDomain
+        There is no Lebedev rule with positive weights of that degree.
 
     Source
     ------
     Eq. (1), and Figure 1(b) with eq. (23).
     """
-    from scipy.integrate import lebedev_rule
-
-    directions, area = lebedev_rule(degree)
+    directions, area = _rule(degree)
     return components_by_cubature(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis,
                                   directions=directions, weights=area / (4 * math.pi))
 
@@ -212,17 +210,26 @@ def directions_of(degree: int) -> int:
 
     Raises
     ------
-    NotImplementedError
-        SciPy has no Lebedev rule of that degree.
+    RouteOutOfDomain
+        There is no Lebedev rule with positive weights of that degree.
 
     Examples
     --------
     >>> directions_of(131)
     5810
     """
+    return int(_rule(degree)[1].size)
+
+
+def _rule(degree: int) -> tuple[Array, Array]:
+    """Directions and areas of the Lebedev rule of a degree, or a refusal that names the degrees there are."""
     from scipy.integrate import lebedev_rule
 
-    return int(lebedev_rule(degree)[1].size)
+    if degree not in DEGREES:
+        raise RouteOutOfDomain(f"degree = {degree!r}", allowed=f"allowed {', '.join(map(str, DEGREES))}",
+                               remedy="Give the degree of a Lebedev rule with positive weights.")
+    directions, area = lebedev_rule(degree)
+    return directions, area
 
 
 def components_by_cubature(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis, directions: Array,

@@ -80,3 +80,10 @@ def test_equal_contacts_leave_exact_zeros() -> None:
     for hypothesis in Hypothesis:
         result = sphere.evaluate(AxialFabric(D33=0.3, Dr33=0.4), poisson_ratio=0.0, hypothesis=hypothesis)
         assert result.components[2:4] == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("degree", [0, 4, 13, 132])
+def test_a_degree_without_a_rule_is_refused(degree: int) -> None:
+    """A degree that no rule has, or one whose rule has negative weights, must not reach SciPy."""
+    with pytest.raises(RouteOutOfDomain, match=f"degree = {degree}"):
+        sphere.directions_of(degree)

@@ -6,8 +6,7 @@ import sympy as sp
 
 from derivations.fabric import fabric_tensor
 from derivations.symbols import D33, latex
-from granular import Evaluation, Scene, evaluate
-from page_tools import hertz_mindlin
+from granular import Evaluation, Scene, evaluate, hertz_mindlin
 from page_tools.markup import Markup, table
 from page_tools.paper import RATIOS, cases, evaluated, scene_of
 

@@ -1,13 +1,13 @@
-"""The book's second opinion: right in itself, and equal to the library for the isotropic assembly."""
+"""The second opinion: right in itself, and equal to the library for the isotropic assembly."""
 
 from __future__ import annotations
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from page_tools.hertz_mindlin import moduli
 
 from granular import Scene, evaluate
+from granular.hertz_mindlin import moduli
 
 
 def test_published_example() -> None:
