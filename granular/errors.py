@@ -155,6 +155,13 @@ class SymmetryNotBuilt(GranularError):
     title = "A tensor that is not axially symmetric about axis 3"
 
 
+class StressNotCompressive(GranularError):
+    """A stress that does not press the grains together: its mean is not a compression."""
+
+    code = "G-SCN-09"
+    title = "A stress without compression"
+
+
 class FabricOutOfRange(GranularError):
     """A contact-normal density that is negative somewhere, or a branch length that is not positive."""
 
@@ -167,6 +174,13 @@ class EffectNotBuilt(GranularError):
 
     code = "G-EFF-01"
     title = "An effect that is not built yet"
+
+
+class ComplianceInfinite(GranularError):
+    """Contacts slide or have opened in some directions, so that the static compliance is infinite."""
+
+    code = "G-STA-01"
+    title = "An infinite compliance"
 
 
 class RouteOutOfDomain(GranularError):
@@ -264,9 +278,10 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     FileUnreadable, NotToml, FileTooLarge, BadOption, OutputUnwritable,
     UnitUnknown, UnitOfOtherDimension, QuantityUnreadable,
     UnknownKey, MissingKey, WrongType, ValueOutOfRange, UnknownChoice, ConflictingKeys, TensorUnusable,
-    SymmetryNotBuilt,
+    SymmetryNotBuilt, StressNotCompressive,
     FabricOutOfRange,
     EffectNotBuilt,
+    ComplianceInfinite,
     RouteOutOfDomain, CertifiedArithmeticMissing,
     IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,
     DensityOutOfRange, ArrayNotUsable, FigureNotKnown, FigureNotWritten,

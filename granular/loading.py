@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from granular.errors import ValueOutOfRange
+from granular.errors import StressNotCompressive, ValueOutOfRange
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,8 +25,10 @@ class Loading:
 
     Raises
     ------
+    StressNotCompressive
+        The mean stress is not positive.
     ValueOutOfRange
-        The mean stress is not compressive, or the friction is negative or not finite.
+        The friction is negative or not finite.
 
     Notes
     -----
@@ -44,9 +46,9 @@ class Loading:
 
     def __post_init__(self) -> None:
         if self.mean <= 0:
-            raise ValueOutOfRange(f"mean stress ({float(self.mean):.6g} on the given scale)",
-                                  allowed="allowed a mean stress above 0 (compression is positive)",
-                                  remedy="Give a compressive stress.")
+            raise StressNotCompressive(
+                f"mean stress = {float(self.mean):.6g} on the scale of the two principal stresses",
+                allowed="allowed a mean stress above 0 (compression is positive)", remedy="Give a compressive stress.")
         if self.friction is not None and not (math.isfinite(self.friction) and self.friction >= 0):
             raise ValueOutOfRange(f"friction_coefficient = {self.friction!r}",
                                   allowed="allowed 0 <= friction_coefficient < inf",
