@@ -115,7 +115,7 @@ def elliptic_identity_steps() -> tuple[Step, ...]:
     turned = Claim(KINDS[3].cosine(), KINDS[2].cosine().subs(argument, -argument))
     return tuple(
         Step(titles[kind], because[kind],
-             (rf"{form.integral} = 3^{{-1/4}}\,F\!\left(\varphi\,\Big|\,{latex(sp.together(form.parameter))}\right),\qquad "
+             (rf"{form.integral} = 3^{{-1/4}}\,F\!\left(\varphi\,\Big|\,{latex(sp.together(form.parameter))}\right)",
               rf"\cos\varphi = {latex(form.cosine())}",),
              (*identity_claims(kind), *((turned,) if kind == 3 else ())), result=True)
         for kind, form in KINDS.items())
