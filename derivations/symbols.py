@@ -73,6 +73,23 @@ nu12, nu13, nu31 = sp.symbols("nu12 nu13 nu31", real=True)
 v_P, v_SV, v_SH = sp.symbols("v_P v_SV v_SH", positive=True)
 epsilon, gamma, delta = sp.symbols("epsilon gamma delta", real=True)
 
+# Contact forces, slip.
+sigma11, sigma33 = sp.symbols("sigma11 sigma33", real=True)
+mean_stress, SR = sp.symbols("p SR", positive=True)
+a, c = sp.symbols("a c", positive=True)
+d = sp.Symbol("d", real=True)
+mu = sp.Symbol("mu", positive=True)
+phi = sp.Symbol("phi", positive=True)
+fn, fr = sp.symbols("fn fr", nonnegative=True)
+f_ref, kn_ref = sp.symbols("f_ref kn_ref", positive=True)
+shear_modulus, relative_radius = sp.symbols("G_s R_e", positive=True)
+beta, omega, psi = sp.symbols("beta omega psi", real=True)
+circle_center, circle_radius = sp.symbols("m R", positive=True)
+h0 = sp.Symbol("h0", real=True)
+tangent = sp.Symbol("t", positive=True)
+log_tangent = sp.Symbol("sigma", real=True)
+kappa, psi_s = sp.symbols("kappa psi_s", positive=True)
+
 STIFFNESS = (C1111, C3333, C1122, C1133, C2323, C1212)
 COMPLIANCE = (S1111, S3333, S1122, S1133, S2323, S1212)
 POWER_MOMENTS = (m0, m1, m2)
@@ -136,6 +153,31 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(density, r"\rho", "kg/m^3", "> 0", "bulk density of the assembly"),
     Quantity(sin_squared, r"\sin^2\theta", "-", "0 to 1", "squared sine of the angle of propagation from axis 3"),
     Quantity(cos_squared, r"\cos^2\theta", "-", "0 to 1", "squared cosine of the angle of propagation from axis 3"),
+    Quantity(sigma11, r"\sigma_{11}", "Pa", "compression positive", "principal stress across axis 3"),
+    Quantity(sigma33, r"\sigma_{33}", "Pa", "compression positive", "principal stress along axis 3"),
+    Quantity(mean_stress, r"p", "Pa", "> 0", "mean stress, compression positive"),
+    Quantity(SR, r"\mathrm{SR}", "-", "> 0", "stress ratio, principal stress along over across axis 3"),
+    Quantity(a, r"a", "-", "> 0 unless contacts open", "normal contact force at the equator, 1 when all is isotropic"),
+    Quantity(c, r"c", "-", "> 0 unless contacts open", "normal contact force at the pole, 1 when all is isotropic"),
+    Quantity(d, r"d", "-", "any", "normal contact force at the pole less that at the equator"),
+    Quantity(mu, r"\mu", "-", "> 0", "friction coefficient between grains"),
+    Quantity(phi, r"\phi", "-", "0 to pi/2", "friction angle between grains"),
+    Quantity(fn, r"f_n", "N", "> 0 unless the contact opens", "normal contact force"),
+    Quantity(fr, r"f_r", "N", ">= 0", "shear contact force"),
+    Quantity(f_ref, r"f^{\circ}", "N", "> 0", "normal contact force of the isotropic assembly"),
+    Quantity(kn_ref, r"k_n^{\circ}", "N/m", "> 0", "normal contact stiffness under that force"),
+    Quantity(shear_modulus, r"G_s", "Pa", "> 0", "shear modulus of the grain material"),
+    Quantity(relative_radius, r"R_e", "m", "> 0", "relative radius of two grains in contact"),
+    Quantity(beta, r"\beta", "-", "0 to pi/2", "angle of a direction from axis 3"),
+    Quantity(omega, r"\omega", "-", "-pi/2 to pi/2", "angle from the direction nearest to sliding"),
+    Quantity(psi, r"\psi", "-", "0 to pi", "angle by which the Coulomb line turns Mohr's circle"),
+    Quantity(circle_center, r"m", "-", "> 0", "centre of Mohr's circle of the contact forces"),
+    Quantity(circle_radius, r"R", "-", ">= 0", "amplitude of normal force less shear force over friction"),
+    Quantity(h0, r"h_0", "-", "any", "least value of normal force less shear force over friction"),
+    Quantity(tangent, r"t", "-", "> 0", "tangent of the angle from axis 3"),
+    Quantity(log_tangent, r"\sigma", "-", "any", "log-tangent: logarithm of t over its value nearest to sliding"),
+    Quantity(kappa, r"\kappa", "-", ">= 0", "largest share of its friction that a contact uses up"),
+    Quantity(psi_s, r"\psi_s", "-", "> 0", "log-tangent at the edge of the sliding directions"),
 )
 
 LATEX = {quantity.symbol: quantity.latex for quantity in GLOSSARY}
