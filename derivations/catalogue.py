@@ -8,6 +8,7 @@ from derivations.engineering import engineering, isotropic
 from derivations.equations import equations
 from derivations.fabric import fabric
 from derivations.kinematic import kinematic_constant, kinematic_three
+from derivations.kinetic_components import kinetic_components
 from derivations.record import Derivation
 from derivations.static import static_constant, static_three
 from derivations.waves import waves
@@ -19,6 +20,7 @@ CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     kinematic_three,
     static_constant,
     static_three,
+    kinetic_components,
     isotropic,
     engineering,
     waves,

@@ -90,10 +90,20 @@ tangent = sp.Symbol("t", positive=True)
 log_tangent = sp.Symbol("sigma", real=True)
 kappa, psi_s = sp.symbols("kappa psi_s", positive=True)
 
+# Moments with contact stiffnesses averaged apart: normal, tangential, normal less tangential; then the flexibilities.
+q0, q1, q2 = sp.symbols("q0 q1 q2", nonnegative=True)
+d0, d1 = sp.symbols("d0 d1", nonnegative=True)
+u0, u1, u2 = sp.symbols("u0 u1 u2", positive=True)
+v0, v1, v2 = sp.symbols("v0 v1 v2", positive=True)
+g0, g1 = sp.symbols("g0 g1", nonnegative=True)
+
 STIFFNESS = (C1111, C3333, C1122, C1133, C2323, C1212)
 COMPLIANCE = (S1111, S3333, S1122, S1133, S2323, S1212)
 POWER_MOMENTS = (m0, m1, m2)
 POSITIVE_MOMENTS = (p0, p1, p2)
+TANGENTIAL_MOMENTS = (q0, q1, q2)
+NORMAL_FLEXIBILITIES = (u0, u1, u2)
+TANGENTIAL_FLEXIBILITIES = (v0, v1, v2)
 
 GLOSSARY: tuple[Quantity, ...] = (
     Quantity(x, r"x", "-", "-1 to 1", "cosine of the angle from axis 3"),
@@ -178,6 +188,19 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(log_tangent, r"\sigma", "-", "any", "log-tangent: logarithm of t over its value nearest to sliding"),
     Quantity(kappa, r"\kappa", "-", ">= 0", "largest share of its friction that a contact uses up"),
     Quantity(psi_s, r"\psi_s", "-", "> 0", "log-tangent at the edge of the sliding directions"),
+    Quantity(q0, r"q_0", "-", ">= 0", "moment of the tangential stiffness with the fourth power of the sine"),
+    Quantity(q1, r"q_1", "-", ">= 0", "moment of the tangential stiffness with squared sine and squared cosine"),
+    Quantity(q2, r"q_2", "-", ">= 0", "moment of the tangential stiffness with the fourth power of the cosine"),
+    Quantity(d0, r"d_0", "-", ">= 0", "normal less tangential stiffness, moment with the fourth power of the sine"),
+    Quantity(d1, r"d_1", "-", ">= 0", "normal less tangential stiffness, moment with squared sine and squared cosine"),
+    Quantity(u0, r"u_0", "-", "> 0", "moment of the normal flexibility with the fourth power of the sine"),
+    Quantity(u1, r"u_1", "-", "> 0", "moment of the normal flexibility with squared sine and squared cosine"),
+    Quantity(u2, r"u_2", "-", "> 0", "moment of the normal flexibility with the fourth power of the cosine"),
+    Quantity(v0, r"v_0", "-", "> 0", "moment of the tangential flexibility with the fourth power of the sine"),
+    Quantity(v1, r"v_1", "-", "> 0", "moment of the tangential flexibility with squared sine and squared cosine"),
+    Quantity(v2, r"v_2", "-", "> 0", "moment of the tangential flexibility with the fourth power of the cosine"),
+    Quantity(g0, r"g_0", "-", ">= 0", "tangential less normal flexibility, moment with the fourth power of the sine"),
+    Quantity(g1, r"g_1", "-", ">= 0", "tangential less normal flexibility, moment with squared sine and cosine"),
 )
 
 LATEX = {quantity.symbol: quantity.latex for quantity in GLOSSARY}
