@@ -10,15 +10,25 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
-from granular.errors import EffectNotBuilt, FigureNotKnown, MissingKey
+from granular.errors import FigureNotKnown, MissingKey
+from granular.figures.book import (
+    admissible_region,
+    figure_5,
+    figure_5_interactive,
+    figure_6,
+    hypotheses,
+    table_ii_waves,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from granular.figures.page import Interactive, Static
     from granular.scene import Scene
+
+__all__ = ["SCENE_FIGURES", "SceneFigure", "admissible_region", "figure_5", "figure_5_interactive", "figure_6",
+           "hypotheses", "save", "table_ii_waves"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +98,32 @@ def _wave_speeds(scene: Scene) -> Any:
     return speeds
 
 
+def _forces(scene: Scene) -> Figure:
+    from granular.figures.contacts import contacts_of, forces_figure
+
+    return forces_figure(contacts_of(scene))
+
+
+def _forces_interactive(scene: Scene) -> Any:
+    from granular.figures.contacts import loading_of
+    from granular.figures.contacts_interactive import forces_interactive
+
+    return forces_interactive(scene.fabric, loading_of(scene), poisson_ratio=scene.grains.poisson_ratio)
+
+
+def _contacts(scene: Scene) -> Figure:
+    from granular.figures.contacts import contacts_figure, contacts_of
+
+    return contacts_figure(contacts_of(scene), poisson_ratio=scene.grains.poisson_ratio)
+
+
+def _contacts_interactive(scene: Scene) -> Any:
+    from granular.figures.contacts import loading_of
+    from granular.figures.contacts_interactive import contacts_interactive
+
+    return contacts_interactive(scene.fabric, loading_of(scene), poisson_ratio=scene.grains.poisson_ratio)
+
+
 SCENE_FIGURES: dict[str, SceneFigure] = {
     "fabric": SceneFigure("density of contact normals and branch length by direction", _fabric,
                           _fabric_interactive),
@@ -95,14 +131,12 @@ SCENE_FIGURES: dict[str, SceneFigure] = {
                              _stiffness_interactive),
     "waves": SceneFigure("phase speeds of P, SV and SH against the angle from axis 3", _waves,
                          _waves_interactive),
+    "forces": SceneFigure("normal and shear force of the contacts against the angle from axis 3", _forces,
+                          _forces_interactive),
+    "contacts": SceneFigure("normal and shear stiffness of the contacts against the angle from axis 3", _contacts,
+                            _contacts_interactive),
 }
-"""Figures of this version by name."""
-
-NEED_FORCES = ("forces", "contacts")
-"""Figures of what contacts carry; there is nothing to draw while all carry the same."""
-
-WHAT = (*SCENE_FIGURES, *NEED_FORCES)
-"""Every name that ``what`` may have."""
+"""Figures by name."""
 
 
 def save(scene: Scene, *, what: str, out: str | os.PathLike[str]) -> Path:
@@ -113,7 +147,7 @@ def save(scene: Scene, *, what: str, out: str | os.PathLike[str]) -> Path:
     scene : Scene
         The assembly and the stress on it.
     what : str
-        "fabric", "stiffness" or "waves"; "forces" and "contacts" are refused until contact forces are built.
+        "fabric", "stiffness", "waves", "forces" or "contacts".
     out : str or path-like
         The file; its suffix says the format: .svg, .png, .pdf, or .html to turn and read offline. A file of that
         name is replaced when the new one is complete, and untouched otherwise.
@@ -129,14 +163,13 @@ def save(scene: Scene, *, what: str, out: str | os.PathLike[str]) -> Path:
         Another name or suffix.
     FigureNotWritten
         No such folder, or no permission to write there.
-    EffectNotBuilt
-        "forces" or "contacts".
     MissingKey
         "waves" of a scene without a density of the grains.
 
     Notes
     -----
-    Accuracy: curves and surfaces are drawn from the values of ``granular.evaluate``.
+    Accuracy: curves and surfaces are drawn from the values of ``granular.evaluate``; forces and stiffnesses of the
+    contacts, whatever effects the scene asks for, from those of ``granular.contact_distribution``.
     Source: the interface of ``granular plot``.
     """
     from granular.figures import files
@@ -151,126 +184,7 @@ def save(scene: Scene, *, what: str, out: str | os.PathLike[str]) -> Path:
 
 
 def _scene_figure(what: str) -> SceneFigure:
-    if what in NEED_FORCES:
-        raise EffectNotBuilt(
-            f"what = {what!r}",
-            allowed="with constant contact stiffness every contact carries the same, so that there is nothing to "
-            "draw, and the effect kinetic is not built yet",
-            remedy=f"Draw one of {', '.join(SCENE_FIGURES)}.")
     if what not in SCENE_FIGURES:
-        raise FigureNotKnown(f"what = {what!r}", allowed=f"allowed: {', '.join(WHAT)}",
+        raise FigureNotKnown(f"what = {what!r}", allowed=f"allowed: {', '.join(SCENE_FIGURES)}",
                              remedy="Name one of these figures.")
     return SCENE_FIGURES[what]
-
-
-def figure_5() -> Static:
-    """Figure 5: branch lengths and contact normals as surfaces, five panels.
-
-    Returns
-    -------
-    Static
-        Shows itself in a page.
-
-    Notes
-    -----
-    Source: Figure 5.
-    """
-    from granular.figures.page import Static
-    from granular.figures.paper_figure_5 import figure_5 as draw
-
-    return Static(draw())
-
-
-def figure_5_interactive() -> Interactive:
-    """Figure 5 to turn, with a slider over Dr33.
-
-    Returns
-    -------
-    Interactive
-        Shows itself in a page that has loaded plotly.js.
-
-    Notes
-    -----
-    Source: Figure 5.
-    """
-    from granular.figures.page import Interactive
-    from granular.figures.paper_figure_5 import figure_5_interactive as make
-
-    return Interactive(make(), "figure-5")
-
-
-def figure_6() -> Static:
-    """Figure 6: six stiffness components in MPa against Dr33.
-
-    Returns
-    -------
-    Static
-        Shows itself in a page.
-
-    Notes
-    -----
-    Source: Figure 6.
-    """
-    from granular.figures.page import Static
-    from granular.figures.paper_figure_6 import figure_6 as draw
-
-    return Static(draw())
-
-
-def admissible_region() -> Static:
-    """Draw the admissible region of D33 and D3333.
-
-    Returns
-    -------
-    Static
-        Shows itself in a page.
-
-    Notes
-    -----
-    Source: E >= 0.
-    """
-    from granular.figures.page import Static
-    from granular.figures.region import admissible_region as draw
-
-    return Static(draw())
-
-
-def hypotheses(against: Literal["Dr33", "D33"] = "Dr33") -> Static:
-    """Compare the two hypotheses along one coefficient of the fabric.
-
-    Parameters
-    ----------
-    against : "Dr33" or "D33"
-        Coefficient of the branch lengths or of the contact normals.
-
-    Returns
-    -------
-    Static
-        Shows itself in a page.
-
-    Notes
-    -----
-    Source: Figure 1.
-    """
-    from granular.figures.page import Static
-    from granular.figures.two_hypotheses import hypotheses as draw
-
-    return Static(draw(against))
-
-
-def table_ii_waves() -> Static:
-    """Phase speeds for case 3 of Table II.
-
-    Returns
-    -------
-    Static
-        Shows itself in a page.
-
-    Notes
-    -----
-    Source: Table II.
-    """
-    from granular.figures.page import Static
-    from granular.figures.waves import table_ii_waves as draw
-
-    return Static(draw())

@@ -1,0 +1,121 @@
+"""Figures as pages of the book call them; nothing is drawn, and nothing imported, before a page asks."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from granular.figures.page import Interactive, Static
+
+
+def figure_5() -> Static:
+    """Figure 5: branch lengths and contact normals as surfaces, five panels.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: Figure 5.
+    """
+    from granular.figures.page import Static
+    from granular.figures.paper_figure_5 import figure_5 as draw
+
+    return Static(draw())
+
+
+def figure_5_interactive() -> Interactive:
+    """Figure 5 to turn, with a slider over Dr33.
+
+    Returns
+    -------
+    Interactive
+        Shows itself in a page that has loaded plotly.js.
+
+    Notes
+    -----
+    Source: Figure 5.
+    """
+    from granular.figures.page import Interactive
+    from granular.figures.paper_figure_5 import figure_5_interactive as make
+
+    return Interactive(make(), "figure-5")
+
+
+def figure_6() -> Static:
+    """Figure 6: six stiffness components in MPa against Dr33.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: Figure 6.
+    """
+    from granular.figures.page import Static
+    from granular.figures.paper_figure_6 import figure_6 as draw
+
+    return Static(draw())
+
+
+def admissible_region() -> Static:
+    """Draw the admissible region of D33 and D3333.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: E >= 0.
+    """
+    from granular.figures.page import Static
+    from granular.figures.region import admissible_region as draw
+
+    return Static(draw())
+
+
+def hypotheses(against: Literal["Dr33", "D33"] = "Dr33") -> Static:
+    """Compare the two hypotheses along one coefficient of the fabric.
+
+    Parameters
+    ----------
+    against : "Dr33" or "D33"
+        Coefficient of the branch lengths or of the contact normals.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: Figure 1.
+    """
+    from granular.figures.page import Static
+    from granular.figures.two_hypotheses import hypotheses as draw
+
+    return Static(draw(against))
+
+
+def table_ii_waves() -> Static:
+    """Phase speeds for case 3 of Table II.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: Table II.
+    """
+    from granular.figures.page import Static
+    from granular.figures.waves import table_ii_waves as draw
+
+    return Static(draw())
