@@ -7,6 +7,7 @@ from collections.abc import Callable
 from derivations.engineering import engineering, isotropic
 from derivations.equations import equations
 from derivations.fabric import fabric
+from derivations.forces import contact_forces
 from derivations.kinematic import kinematic_constant, kinematic_three
 from derivations.kinetic_components import kinetic_components
 from derivations.record import Derivation
@@ -20,6 +21,7 @@ CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     kinematic_three,
     static_constant,
     static_three,
+    contact_forces,
     kinetic_components,
     isotropic,
     engineering,
