@@ -1,4 +1,4 @@
-"""Every stored certified case by every route that serves it."""
+"""Every stored certified case by every route that serves it: contacts of equal stiffness, and with contact forces."""
 
 from __future__ import annotations
 
@@ -8,11 +8,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from importlib.resources import files
+from typing import Any
 
 from granular.checks.comparison import Comparison, worst_component
 from granular.checks.voices import MOST_UNITS, allowed_units, attempt, voices
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
+from granular.loading import Loading
 from granular.routes.result import COMPONENTS
 
 
@@ -30,23 +32,27 @@ class CertifiedCase:
         What makes it hard, or what it represents.
     fabric : AxialFabric
         Contact normals and branch lengths [-].
+    loading : Loading or None
+        Stress and friction; None for contacts that all have the same stiffness.
     poisson_ratio : float
         Poisson's ratio of the grain material [-].
     known : dict
-        Hypothesis -> six components over (M/V) l_e^2 k_n,ref [-], certified to 1e-33 of each.
+        Hypothesis -> six components over (M/V) l_e^2 k_n,ref [-], certified to 1e-33 of each; no static ones where
+        contacts slide.
     """
 
     name: str
     family: str
     why: str
     fabric: AxialFabric
+    loading: Loading | None
     poisson_ratio: float
     known: dict[Hypothesis, tuple[Fraction, ...]]
 
 
 @lru_cache(maxsize=1)
 def stored_cases() -> tuple[CertifiedCase, ...]:
-    """Read the certified cases that come with the package.
+    """Read the certified cases of contacts that all have the same stiffness.
 
     Returns
     -------
@@ -62,15 +68,47 @@ def stored_cases() -> tuple[CertifiedCase, ...]:
     >>> {case.family for case in stored_cases()} >= {"paper", "isotropic", "D-edge", "Dr-edge", "corner"}
     True
     """
-    text = (files("granular") / "data" / "certified_constant.json").read_text(encoding="utf-8")
+    return _read("certified_constant.json")
+
+
+@lru_cache(maxsize=1)
+def kinetic_cases() -> tuple[CertifiedCase, ...]:
+    """Read the certified cases of contacts that stiffen with their force.
+
+    Returns
+    -------
+    tuple of CertifiedCase
+        In the order of the file.
+
+    Notes
+    -----
+    Accuracy: inputs are exact, outputs certified to 1e-33. Source: the ``origin`` that the file states.
+
+    Examples
+    --------
+    >>> {case.family for case in kinetic_cases()} >= {"paper", "tangent", "near-tangent", "SR-to-inf", "mu-to-0"}
+    True
+    """
+    return _read("certified_kinetic.json")
+
+
+def _read(name: str) -> tuple[CertifiedCase, ...]:
+    text = (files("granular") / "data" / name).read_text(encoding="utf-8")
     return tuple(
         CertifiedCase(
             name=entry["id"], family=entry["family"], why=entry["why"],
             fabric=AxialFabric(D33=float(entry["D33"]), D3333=float(entry["D3333"]), Dr33=float(entry["Dr33"])),
-            poisson_ratio=float(entry["poisson_ratio"]),
+            loading=_loading(entry), poisson_ratio=float(entry["poisson_ratio"]),
             known={hypothesis: tuple(Fraction(entry[hypothesis][name]) for name in COMPONENTS)
                    for hypothesis in Hypothesis if hypothesis in entry})
         for entry in json.loads(text)["cases"])
+
+
+def _loading(entry: dict[str, Any]) -> Loading | None:
+    if "stress_ratio" not in entry:
+        return None
+    friction = None if entry["friction"] is None else float(entry["friction"])
+    return Loading.of_ratio(float(entry["stress_ratio"]), friction=friction)
 
 
 def stored_comparisons() -> Iterator[Comparison]:

@@ -1,20 +1,32 @@
 """The stiffness in ball arithmetic: every digit that is printed is proved.
 
-The voice that the others are measured against, and independent of them: moments of the weight in closed form
-(an exact rational number under the kinematic hypothesis, the hypergeometric function of Gauss under the static
-one), the components of eqs (1) and (23) written directly in those moments, and a 3 x 3 inversion in balls.
+The voice that the others are measured against, and independent of them. Where all contacts are equally stiff: moments
+of the weight in closed form (an exact rational number under the kinematic hypothesis, the hypergeometric function of
+Gauss under the static one), the components of eqs (1) and (23) written directly in those moments, and a 3 x 3
+inversion in balls. Contacts that stiffen with their force are left to ``certified_kinetic`` and ``certified_static``.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from granular.errors import CertifiedArithmeticMissing, RouteOutOfDomain
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
+from granular.loading import Loading
 from granular.routes.accuracy import HALF_ULP, require_accuracy
+from granular.routes.balls import (
+    arithmetic,
+    ball,
+    exact_weights,
+    fraction,
+    half_beta,
+    stiffness_from_compliance,
+)
 from granular.routes.rational import rounded
 from granular.routes.result import COMPONENTS, RouteResult
 
@@ -51,9 +63,9 @@ class Enclosure:
         return (self.upper - self.lower) / 2
 
 
-def enclose(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
+def enclose(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis, loading: Loading | None = None,
             digits: int = 30) -> tuple[Enclosure, ...]:
-    """Enclose the six components of an assembly whose contacts all have the same stiffness.
+    """Enclose the six components of an assembly.
 
     Parameters
     ----------
@@ -63,6 +75,8 @@ def enclose(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis
         Poisson ratio of the grain material [-], 0 <= nu <= 0.5, taken as exact.
     hypothesis : Hypothesis
         Kinematic or static.
+    loading : Loading or None
+        Stress and friction, taken as exact; None for contacts that all have the same stiffness.
     digits : int
         Significant decimal digits wanted of every component [-], 1 to 2000.
 
@@ -81,10 +95,12 @@ def enclose(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis
         python-flint is not installed.
     RouteOutOfDomain
         ``digits`` is not from 1 to 2000.
+    ComplianceInfinite
+        Static hypothesis, and contacts slide or have opened in some directions.
 
     Source
     ------
-    Eqs (1)-(7) and (23); moments of ``1/W**2`` by Euler's integral for the hypergeometric function.
+    Eqs (1)-(7) and (20)-(23); moments of ``1/W**2`` by Euler's integral for the hypergeometric function.
 
     Examples
     --------
@@ -95,20 +111,20 @@ def enclose(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis
     if not 1 <= digits <= MOST_DIGITS:
         raise RouteOutOfDomain(f"digits = {digits}", allowed=f"allowed 1 <= digits <= {MOST_DIGITS}",
                                remedy="Ask for a number of significant digits in that range.")
-    flint = _arithmetic()
-    components = _kinematic if hypothesis is Hypothesis.KINEMATIC else _static
-    precision = int(3.33 * digits) + 40
+    flint = arithmetic()
+    compute, guard = _computation(hypothesis, fabric, loading)
+    precision = int(3.33 * digits) + 40 + guard
     while True:
         with flint.ctx.workprec(precision):
-            balls = components(flint, fabric, Fraction(poisson_ratio))
-            found = tuple(Enclosure(name, _fraction(ball.lower()), _fraction(ball.upper()))
-                          for name, ball in zip(COMPONENTS, balls, strict=True) if ball.is_finite())
+            components = compute(flint, fabric, Fraction(poisson_ratio))
+            found = tuple(Enclosure(name, fraction(component.lower()), fraction(component.upper()))
+                          for name, component in zip(COMPONENTS, components, strict=True) if component.is_finite())
         if len(found) == len(COMPONENTS) and all(e.radius * 10**digits <= abs(e.midpoint) for e in found):
             return found
         precision *= 2
 
 
-def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
+def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis, loading: Loading | None = None,
              rtol: float | None = None) -> RouteResult:
     """Evaluate the six components in ball arithmetic, rounded to the nearest binary64 numbers.
 
@@ -120,6 +136,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         Poisson ratio of the grain material [-], 0 <= nu <= 0.5.
     hypothesis : Hypothesis
         Kinematic or static.
+    loading : Loading or None
+        Stress and friction; None for contacts that all have the same stiffness.
     rtol : float or None
         Relative accuracy wanted of every component [-]; refused below half a unit in the last place.
 
@@ -138,10 +156,12 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         python-flint is not installed.
     RouteOutOfDomain
         ``rtol`` is below what a binary64 number can hold.
+    ComplianceInfinite
+        Static hypothesis, and contacts slide or have opened in some directions.
 
     Source
     ------
-    Eqs (1)-(7) and (23).
+    Eqs (1)-(7) and (20)-(23).
 
     Examples
     --------
@@ -150,7 +170,7 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     True
     """
     require_accuracy(NAME, HALF_ULP, rtol)
-    enclosures = enclose(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis)
+    enclosures = enclose(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, loading=loading)
     components = rounded(enclosure.midpoint for enclosure in enclosures)
     return RouteResult(components, HALF_ULP, 0)
 
@@ -164,52 +184,28 @@ def available() -> bool:
         True when this route can be used.
     """
     try:
-        _arithmetic()
+        arithmetic()
     except CertifiedArithmeticMissing:
         return False
     return True
 
 
-def _arithmetic() -> Any:
-    try:
-        import flint
-    except ImportError as error:
-        raise CertifiedArithmeticMissing(
-            "python-flint is not installed", allowed="ball arithmetic needs it",
-            remedy="Install it with: pip install 'granular[certified]'.") from error
-    return flint
+def _computation(hypothesis: Hypothesis, fabric: AxialFabric,
+                 loading: Loading | None) -> tuple[Callable[[Any, AxialFabric, Fraction], tuple[Any, ...]], int]:
+    """What encloses the components at a given working precision, and the bits that it needs on top."""
+    if loading is None:
+        return (_kinematic if hypothesis is Hypothesis.KINEMATIC else _static), 0
+    from granular.routes import certified_kinetic, certified_static
 
-
-def _fraction(end_point: Any) -> Fraction:
-    """Turn the end point of a ball, a dyadic number, into a fraction."""
-    mantissa, exponent = (int(part) for part in end_point.man_exp())
-    return Fraction(mantissa) * Fraction(2) ** exponent
-
-
-def _ball(flint: Any, value: Fraction) -> Any:
-    return flint.arb(flint.fmpq(value.numerator, value.denominator))
-
-
-def _exact_weights(fabric: AxialFabric) -> tuple[tuple[Fraction, Fraction, Fraction], Fraction, Fraction]:
-    """4 pi E = sum_j e_j s^(2-j) x^(2j) and W = w0 s + w1 x^2 with s = 1 - x^2, exactly."""
-    d33, d3333, dr33 = Fraction(fabric.D33), Fraction(fabric.D3333), Fraction(fabric.Dr33)
-    density = (1 - d33 / 2 + 3 * d3333 / 8, 2 + d33 / 2 - 3 * d3333, 1 + d33 + d3333)
-    return density, 1 - dr33 / 2, 1 + dr33
-
-
-def _half_beta(power_of_s: int, power_of_square: int) -> Fraction:
-    """Int_0^1 s^a x^(2b) dx = B(b + 1/2, a + 1)/2, a rational number."""
-    value = Fraction(1, 2 * power_of_square + 1)
-    for j in range(1, power_of_s + 1):
-        value *= Fraction(2 * j, 2 * power_of_square + 1 + 2 * j)
-    return value
+    module = certified_kinetic if hypothesis is Hypothesis.KINEMATIC else certified_static
+    return partial(module.components, loading=loading), module.guard_bits(fabric, loading)
 
 
 def _kinematic(flint: Any, fabric: AxialFabric, poisson: Fraction) -> tuple[Any, ...]:
     """Eq. (7) in the plain moments <E W^2 x^(2k)>: rational numbers, so that only the last step rounds."""
-    density, w0, w1 = _exact_weights(fabric)
+    density, w0, w1 = exact_weights(fabric)
     squared = (w0**2, 2 * w0 * w1, w1**2)
-    m0, m1, m2 = (sum((e * w * _half_beta(4 - i - j, i + j + k)
+    m0, m1, m2 = (sum((e * w * half_beta(4 - i - j, i + j + k)
                        for i, e in enumerate(density) for j, w in enumerate(squared)), Fraction(0))
                   for k in range(3))
     lam = (2 - 2 * poisson) / (2 - poisson)
@@ -222,38 +218,26 @@ def _kinematic(flint: Any, fabric: AxialFabric, poisson: Fraction) -> tuple[Any,
         (1 - lam) * mixed / 2 + lam * (m1 + (m0 - m1) / 2) / 4,
         (1 - lam) * in_plane / 8 + lam * (m0 - m1) / 4,
     )
-    return tuple(_ball(flint, component) for component in components)
+    return tuple(ball(flint, component) for component in components)
 
 
 def _static_moment(flint: Any, w0: Fraction, w1: Fraction, power: int) -> Any:
     """<s^(4-m) x^(2m) / W^2>, with the larger weight taken out so that the argument lies in [0, 1)."""
     arb = flint.arb
     if w0 >= w1:
-        series = _ball(flint, (w0 - w1) / w0).hypgeom_2f1(2, arb(2 * power + 1) / 2, arb(11) / 2)
+        series = ball(flint, (w0 - w1) / w0).hypgeom_2f1(2, arb(2 * power + 1) / 2, arb(11) / 2)
     else:
-        series = _ball(flint, (w1 - w0) / w1).hypgeom_2f1(2, arb(5 - power), arb(11) / 2)
-    return _ball(flint, _half_beta(4 - power, power) / max(w0, w1) ** 2) * series
+        series = ball(flint, (w1 - w0) / w1).hypgeom_2f1(2, arb(5 - power), arb(11) / 2)
+    return ball(flint, half_beta(4 - power, power) / max(w0, w1) ** 2) * series
 
 
 def _static(flint: Any, fabric: AxialFabric, poisson: Fraction) -> tuple[Any, ...]:
     """Eq. (23) with s_jl = n_j n_l / k_n + (delta_jl - n_j n_l) / k_r, minor-symmetrised, then inverted."""
-    density, w0, w1 = _exact_weights(fabric)
+    density, w0, w1 = exact_weights(fabric)
     by_power = [_static_moment(flint, w0, w1, m) for m in range(5)]
-    n4, n2x2, x4 = (sum((_ball(flint, e) * by_power[j + k] for j, e in enumerate(density)), flint.arb(0))
+    n4, n2x2, x4 = (sum((ball(flint, e) * by_power[j + k] for j, e in enumerate(density)), flint.arb(0))
                     for k in range(3))  # <s^2>, <s x^2> and <x^4> with the weight E/W^2
-    n2, x2 = n4 + n2x2, n2x2 + x4
     lam = (2 - 2 * poisson) / (2 - poisson)
-    normal, tangent = _ball(flint, 1 - 1 / lam), _ball(flint, 1 / lam)
-    d33 = Fraction(fabric.D33)
-    a1, a3 = _ball(flint, 1 / (Fraction(1, 3) - d33 / 15)), _ball(flint, 1 / (Fraction(1, 3) + 2 * d33 / 15))
-    s1111 = a1**2 * (normal * 3 * n4 / 8 + tangent * n2 / 2)
-    s3333 = a3**2 * (normal * x4 + tangent * x2)
-    s1122 = a1**2 * normal * n4 / 8
-    s1133 = a1 * a3 * normal * n2x2 / 2
-    s2323 = (a1**2 * (normal * n2x2 / 2 + tangent * n2 / 2) + 2 * a1 * a3 * normal * n2x2 / 2
-             + a3**2 * (normal * n2x2 / 2 + tangent * x2)) / 4
-    s1212 = (s1111 - s1122) / 2
-    # Cramer's rule, in the form in which C1122 is exactly zero where s1122 and s1133 are.
-    apart, together = s1111 - s1122, (s1111 + s1122) * s3333 - 2 * s1133**2
-    return ((s1111 * s3333 - s1133**2) / (apart * together), (s1111 + s1122) / together,
-            (s1133**2 - s1122 * s3333) / (apart * together), -s1133 / together, 1 / (4 * s2323), 1 / (4 * s1212))
+    apart, tangent = ball(flint, 1 - 1 / lam), ball(flint, 1 / lam)
+    normal_less_shear, shear = ([factor * moment for moment in (n4, n2x2, x4)] for factor in (apart, tangent))
+    return stiffness_from_compliance(flint, fabric, normal_less_shear, shear)
