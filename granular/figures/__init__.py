@@ -18,7 +18,12 @@ from granular.figures.book import (
     figure_5,
     figure_5_interactive,
     figure_6,
+    figure_7,
+    figure_8,
+    figure_9,
     hypotheses,
+    mohr,
+    mohr_interactive,
     table_ii_waves,
 )
 
@@ -28,7 +33,7 @@ if TYPE_CHECKING:
     from granular.scene import Scene
 
 __all__ = ["SCENE_FIGURES", "SceneFigure", "admissible_region", "figure_5", "figure_5_interactive", "figure_6",
-           "hypotheses", "save", "table_ii_waves"]
+           "figure_7", "figure_8", "figure_9", "hypotheses", "mohr", "mohr_interactive", "save", "table_ii_waves"]
 
 
 @dataclass(frozen=True, slots=True)

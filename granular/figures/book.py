@@ -119,3 +119,91 @@ def table_ii_waves() -> Static:
     from granular.figures.waves import table_ii_waves as draw
 
     return Static(draw())
+
+
+def figure_7() -> Static:
+    """Figure 7: contact forces and stiffnesses by direction for four microstructures under isotropic stress.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: Figure 7.
+    """
+    return _contacts_by_direction(7)
+
+
+def figure_8() -> Static:
+    """Figure 8: the same for ideal assemblies with more and more vertical contacts.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: Figure 8.
+    """
+    return _contacts_by_direction(8)
+
+
+def figure_9() -> Static:
+    """Figure 9: the same for an isotropic packing under three stress ratios.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: Figure 9.
+    """
+    return _contacts_by_direction(9)
+
+
+def _contacts_by_direction(number: Literal[7, 8, 9]) -> Static:
+    from granular.figures.page import Static
+    from granular.figures.paper_figure_7_9 import draw
+
+    return Static(draw(number))
+
+
+def mohr() -> Static:
+    """Draw Mohr's circle of the contact forces before, at and after the onset of sliding.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: eqs (21) and (23).
+    """
+    from granular.figures.mohr_circle import mohr as draw
+    from granular.figures.page import Static
+
+    return Static(draw())
+
+
+def mohr_interactive() -> Interactive:
+    """Make Mohr's circle with a slider over the stress ratio and buttons for the friction angle.
+
+    Returns
+    -------
+    Interactive
+        Shows itself in a page that has loaded plotly.js.
+
+    Notes
+    -----
+    Source: eqs (21) and (23).
+    """
+    from granular.figures.mohr_sliders import mohr_interactive as make
+    from granular.figures.page import Interactive
+
+    return Interactive(make(), "mohr")

@@ -118,7 +118,8 @@ def _sliding(a: Fraction, c: Fraction, friction: float | None, low: float, high:
             high if far is None else math.degrees(math.atan(far)))
 
 
-def by_direction(fabric: AxialFabric, loading: Loading, *, poisson_ratio: float) -> ByDirection:
+def by_direction(fabric: AxialFabric, loading: Loading, *, poisson_ratio: float,
+                 degrees: Array | None = None) -> ByDirection:
     """Evaluate the contacts over a quarter circle, densely where the shear stiffness falls to zero.
 
     Parameters
@@ -129,11 +130,13 @@ def by_direction(fabric: AxialFabric, loading: Loading, *, poisson_ratio: float)
         Stress and friction.
     poisson_ratio : float
         Of the grain material [-].
+    degrees : (n,) array or None
+        Angles from axis 3, 0 to 90 [degrees]; by default those of :func:`angles`.
 
     Returns
     -------
     ByDirection
-        Some two hundred angles.
+        At these angles.
 
     Notes
     -----
@@ -142,7 +145,7 @@ def by_direction(fabric: AxialFabric, loading: Loading, *, poisson_ratio: float)
     import numpy as np
 
     found = limits(fabric.D33, loading)
-    degrees = angles(found)
+    degrees = angles(found) if degrees is None else degrees
     cosine = np.sin(np.radians(90.0 - degrees))
     normal = normal_force(fabric, loading, cosine)
     return ByDirection(

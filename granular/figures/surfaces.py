@@ -101,11 +101,38 @@ def draw_surface(axes: Any, shown: Surface, *, reach: float, low: float, high: f
     import matplotlib as mpl
     import numpy as np
     from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import LightSource, Normalize
+    from matplotlib.colors import Normalize
 
     colours = ScalarMappable(Normalize(low, high), mpl.colormaps[MAP])
     faces = colours.to_rgba((shown.radius[:-1, :-1] + shown.radius[1:, 1:]) / 2)
-    shaded = _shaded(shown, np.asarray(faces), LightSource(azdeg=20, altdeg=50))
+    draw_faces(axes, shown, np.asarray(faces), reach=reach, zoom=zoom)
+    return colours
+
+
+def draw_faces(axes: Any, shown: Surface, faces: Array, *, reach: float, zoom: float = 1.45) -> None:
+    """Draw a surface in given colours with its three axes and equal scales, shaded from above.
+
+    Parameters
+    ----------
+    axes : Axes3D
+        Empty.
+    shown : Surface
+        What to draw.
+    faces : (parallels - 1, meridians - 1, 4) array
+        Red, green, blue and opacity of each face, 0 to 1 [-].
+    reach : float
+        Half the side of the cube that is shown [unit of the radius].
+    zoom : float
+        How much of the panel the cube fills [-].
+
+    Notes
+    -----
+    Source: the look of this package.
+    """
+    import numpy as np
+    from matplotlib.colors import LightSource
+
+    shaded = _shaded(shown, faces, LightSource(azdeg=20, altdeg=50))
     axes.plot_surface(shown.x, shown.y, shown.z, facecolors=shaded, rstride=1, cstride=1, linewidth=0,
                       antialiased=False, shade=False, rasterized=True)
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), zlim=(-reach, reach))
@@ -118,7 +145,6 @@ def draw_surface(axes: Any, shown: Surface, *, reach: float, low: float, high: f
         start, end, beyond = (direction * (skin + more * reach) for more in (0.0, 0.36, 0.47))
         axes.plot(*zip(start, end, strict=True), color=INK, linewidth=0.9, zorder=10)
         axes.text(*beyond, str(axis + 1), ha="center", va="center", color=INK, zorder=10)
-    return colours
 
 
 def plotly_surface(shown: Surface, *, low: float, high: float, name: str, **more: Any) -> Any:

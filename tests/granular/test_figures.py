@@ -30,9 +30,11 @@ from granular.figures import files, look
 from granular.figures.by_direction import by_direction
 from granular.figures.contacts import contacts_figure, forces_figure
 from granular.figures.fabric import fabric_figure
+from granular.figures.mohr_circle import mohr
 from granular.figures.page import Interactive, Static
 from granular.figures.paper_figure_5 import SLIDER, figure_5, figure_5_interactive
 from granular.figures.paper_figure_6 import figure_6
+from granular.figures.paper_figure_7_9 import draw as figure_7_to_9
 from granular.figures.region import admissible_region
 from granular.figures.stiffness import stiffness_figure
 from granular.figures.surfaces import TO_TURN, surface
@@ -54,6 +56,7 @@ STICKING, SLIDING, OPENED = (by_direction(AxialFabric(0.3, 0.0, -0.3), loading, 
 DRAWN = {
     "figure 5": figure_5, "figure 6": figure_6, "region": admissible_region, "table II waves": table_ii_waves,
     "against Dr33": hypotheses, "against D33": lambda: hypotheses("D33"),
+    **{f"figure {number}": partial(figure_7_to_9, number) for number in (7, 8, 9)}, "mohr": mohr,
     "fabric": lambda: fabric_figure(AxialFabric(0.3, 0.1, -0.6)),
     "tall fabric": lambda: fabric_figure(AxialFabric(2.0, 0.0, 1.9)),
     "flat fabric": lambda: fabric_figure(AxialFabric(-1.0, 0.0, -0.99)),
