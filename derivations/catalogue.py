@@ -9,7 +9,9 @@ from derivations.equations import equations
 from derivations.fabric import fabric
 from derivations.forces import contact_forces
 from derivations.kinematic import kinematic_constant, kinematic_three
+from derivations.kinetic import kinetic
 from derivations.kinetic_components import kinetic_components
+from derivations.mohr import mohr_circle
 from derivations.record import Derivation
 from derivations.static import static_constant, static_three
 from derivations.waves import waves
@@ -22,7 +24,9 @@ CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     static_constant,
     static_three,
     contact_forces,
+    mohr_circle,
     kinetic_components,
+    kinetic,
     isotropic,
     engineering,
     waves,

@@ -9,6 +9,7 @@ from functools import cache
 import sympy as sp
 
 Coefficients = Sequence[sp.Rational]
+TWO = sp.Integer(2)
 
 
 @dataclass(frozen=True)
@@ -25,12 +26,15 @@ class TruncatedSeries:
         Largest |v| that it serves.
     left_out : sympy.Rational
         Bound of the computed terms that were cut, relative to the sum, anywhere in |v| <= limit.
+    variable : str
+        Name of the variable, for the comment beside the table.
     """
 
     name: str
     coefficients: tuple[sp.Rational, ...]
     limit: sp.Rational
     left_out: sp.Rational
+    variable: str = "v"
 
 
 def product(left: Coefficients, right: Coefficients) -> list[sp.Rational]:
@@ -44,13 +48,17 @@ def power_of_one_plus(exponent: int, sign: int, length: int) -> list[sp.Rational
 
 
 @cache
-def gegenbauer_forms(length: int) -> list[list[sp.Rational]]:
-    """Gegenbauer polynomials C_n^(2)(s - y) as forms of degree n in s and y, by their recurrence, with s + y = 1."""
-    forms: list[list[sp.Rational]] = [[sp.Integer(1)], [sp.Integer(4), sp.Integer(-4)]]
+def gegenbauer_forms(length: int, order: sp.Rational = TWO) -> list[list[sp.Rational]]:
+    """Gegenbauer polynomials C_n^(order)(s - y) as forms of degree n in s and y, by their recurrence, with s + y = 1.
+
+    Their generating function is ((1 - v)^2 s + (1 + v)^2 y)^(-order).
+    """
+    forms: list[list[sp.Rational]] = [[sp.Integer(1)], [2 * order, -2 * order]]
     for n in range(2, length):
         ahead = _times([sp.Integer(1), sp.Integer(-1)], forms[-1])
         behind = _times([sp.Integer(1), sp.Integer(2), sp.Integer(1)], forms[-2])
-        forms.append([(2 * (n + 1) * a - (n + 2) * b) / sp.Integer(n) for a, b in zip(ahead, behind, strict=True)])
+        forms.append([(2 * (n + order - 1) * a - (n + 2 * order - 2) * b) / n
+                      for a, b in zip(ahead, behind, strict=True)])
     return forms[:length]
 
 

@@ -96,6 +96,7 @@ d0, d1 = sp.symbols("d0 d1", nonnegative=True)
 u0, u1, u2 = sp.symbols("u0 u1 u2", positive=True)
 v0, v1, v2 = sp.symbols("v0 v1 v2", positive=True)
 g0, g1 = sp.symbols("g0 g1", nonnegative=True)
+eta = sp.Symbol("eta", real=True)
 
 STIFFNESS = (C1111, C3333, C1122, C1133, C2323, C1212)
 COMPLIANCE = (S1111, S3333, S1122, S1133, S2323, S1212)
@@ -201,6 +202,7 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(v2, r"v_2", "-", "> 0", "moment of the tangential flexibility with the fourth power of the cosine"),
     Quantity(g0, r"g_0", "-", ">= 0", "tangential less normal flexibility, moment with the fourth power of the sine"),
     Quantity(g1, r"g_1", "-", ">= 0", "tangential less normal flexibility, moment with squared sine and cosine"),
+    Quantity(eta, r"\eta", "-", "-1 to 1", "contrast of the roots of the normal contact force at pole and equator"),
 )
 
 LATEX = {quantity.symbol: quantity.latex for quantity in GLOSSARY}

@@ -74,6 +74,11 @@ def assignments(function: Function) -> str:
     return "\n".join([*lines, f"    return {', '.join(symbol.name for symbol in function.returns)}"])
 
 
+def called_roots(bodies: list[str]) -> str:
+    """Names of the roots that functions call, for the import line; empty when there is none."""
+    return ", ".join(name for name in ("cbrt", "sqrt") if any(f"{name}(" in body for body in bodies))
+
+
 def all_series(derivation: Derivation) -> tuple[TruncatedSeries, ...]:
     """Every coefficient table that the functions need, once, in order."""
     found: dict[str, TruncatedSeries] = {}
@@ -85,7 +90,7 @@ def all_series(derivation: Derivation) -> tuple[TruncatedSeries, ...]:
 def coefficient_table(series: TruncatedSeries) -> str:
     """Coefficients correctly rounded to double precision, with what the cut leaves out."""
     rows = [f"    {correctly_rounded(c)}," for c in series.coefficients]
-    return (f"# {len(series.coefficients)} terms for |v| <= {series.limit}; "
+    return (f"# {len(series.coefficients)} terms for |{series.variable}| <= {series.limit}; "
             f"left out: {float(series.left_out):.0e} of the sum.\n"
             f"{series.name} = (\n" + "\n".join(rows) + "\n)\n")
 

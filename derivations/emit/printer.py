@@ -48,8 +48,10 @@ class ArithmeticPrinter(PythonCodePrinter):
         return f"{expr.p}/{expr.q}"
 
     def _print_Pow(self, expr: sp.Pow, rational: bool = False) -> str:
-        """Square roots by name, small whole powers as products, everything else as a power."""
+        """Square and cube roots by name, small whole powers as products, everything else as a power."""
         del rational
+        if abs(expr.exp) == sp.Rational(1, 3):
+            return f"{'1/' if expr.exp < 0 else ''}cbrt({self._print(expr.base)})"
         if expr.exp == sp.Rational(1, 2):
             return f"sqrt({self._print(expr.base)})"
         if expr.exp == sp.Rational(-1, 2):
