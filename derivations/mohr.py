@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from derivations import slip_rule
 from derivations.record import Claim, Derivation, Output, Step
 from derivations.slip_maps import map_steps
 from derivations.symbols import (
@@ -197,4 +198,5 @@ def mohr_circle() -> Derivation:
                  Output(kappa, KAPPA), Output(d, c - a)),
         steps=(_circle_step(), _coulomb_step(), _nearest_step(), _onset_step(), _log_tangent_step(), _sliding_step(),
                *map_steps()),
+        functions=slip_rule.functions(),
     )

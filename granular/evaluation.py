@@ -84,7 +84,7 @@ class Evaluation:
         from granular.ratios import ratios
 
         return ratios(self.stiffness, fabric=self.plan.fabric, poisson_ratio=self.plan.poisson_ratio,
-                      hypothesis=self.hypothesis)
+                      hypothesis=self.hypothesis, equal_contacts=self.plan.loading is None)
 
     @property
     def engineering(self) -> EngineeringConstants:
@@ -122,7 +122,8 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
 
     Raises
     ------
-    EffectNotBuilt, RouteOutOfDomain, UnknownChoice, ValueOutOfRange, NotFinite, WrongType
+    EffectNotBuilt, ConflictingKeys, MissingKey, ComplianceInfinite, RouteOutOfDomain, UnknownChoice, ValueOutOfRange,
+    NotFinite, WrongType
         As ``granular.planning.plan``.
     ResultOutOfRange
         A component does not fit into double precision with all its digits.
@@ -130,7 +131,7 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
     Notes
     -----
     Accuracy: every component to ``relative_error`` of itself; the route's bound and two roundings.
-    Source: eqs (1)-(9), (20), (23).
+    Source: eqs (1)-(9), (20)-(23).
 
     Examples
     --------
@@ -142,7 +143,7 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
     """
     decided = plan(scene, rtol=rtol, route=route)
     result = ROUTES[decided.route].evaluate(
-        decided.fabric, poisson_ratio=decided.poisson_ratio, hypothesis=decided.hypothesis,
+        decided.fabric, poisson_ratio=decided.poisson_ratio, hypothesis=decided.hypothesis, loading=decided.loading,
         rtol=route_accuracy(decided.rtol))
     components, error = _axially_tied(result.components, result.relative_error)
     coordination = scene.packing.coordination

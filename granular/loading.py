@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from granular.errors import StressNotCompressive, ValueOutOfRange
+from granular.errors import ComplianceInfinite, StressNotCompressive, ValueOutOfRange
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,6 +106,13 @@ class Loading:
             return None
         return (c - a) ** 2 / (4 * a * c * Fraction(self.friction) ** 2)
 
+    def slips(self, D33: float | Fraction) -> bool:
+        """Whether friction takes anything from the shear stiffness: shear forces against it, or no friction at all."""
+        if self.friction is None:
+            return False
+        a, c = self.coefficients(D33)
+        return self.friction == 0 or a != c
+
     def opens(self) -> bool:
         """Whether contacts open in some directions: one of the principal stresses is a tension."""
         return self.sigma11 < 0 or self.sigma33 < 0
@@ -121,3 +128,26 @@ class Loading:
             return True
         tilt = self.tilt(D33)
         return tilt is None or tilt > 1
+
+    def require_finite_compliance(self, D33: float | Fraction) -> None:
+        """Refuse a static evaluation with contacts that slide or have opened.
+
+        Raises
+        ------
+        ComplianceInfinite
+            The static compliance is infinite.
+
+        Notes
+        -----
+        Source: Figure 1(b): the compliance averages 1/k_r, and k_r = 0 there.
+        """
+        if not self.slides(D33):
+            return
+        ratio = f"{float(self.sigma33 / self.sigma11):.6g}" if self.sigma11 else "inf"
+        found, effect = ("have opened under a tension", "opening") if self.opens() else (
+            f"slide (friction_coefficient = {self.friction!r}, D33 = {float(D33)!r}, stress ratio {ratio})", "slip")
+        raise ComplianceInfinite(
+            f"hypothesis = static with contacts that {found}",
+            allowed="allowed only where every contact sticks: one that does not yields without limit to its share of "
+            "the stress, so that the compliance is infinite",
+            remedy=f'Leave the effect {effect} out, or use hypothesis = "kinematic".')

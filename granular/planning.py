@@ -14,6 +14,7 @@ from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Promise, Rout
 from granular.units import shown
 
 if TYPE_CHECKING:
+    from granular.loading import Loading
     from granular.scene import Scene
 
 SCALING_ERROR = 2.0**-52
@@ -49,6 +50,8 @@ class Plan:
         Effect -> why it is not.
     fabric : AxialFabric
         What the simulated effects leave of the scene's fabric [-].
+    loading : Loading or None
+        What the stress does to the contacts; None when all contacts are taken as equally stiff.
     poisson_ratio : float
         Poisson ratio of the solid [-].
     evaluations : int
@@ -66,6 +69,7 @@ class Plan:
     called_for: dict[str, str]
     effects_not_called_for: dict[str, str]
     fabric: AxialFabric
+    loading: Loading | None
     poisson_ratio: float
     evaluations: int
     relative_error: float
@@ -93,8 +97,12 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
     ------
     EffectNotBuilt
         The scene calls for an effect that is not built.
+    ConflictingKeys, MissingKey
+        The scene's list of effects contradicts itself, or lacks data.
+    ComplianceInfinite
+        The static hypothesis with contacts that slide or have opened.
     RouteOutOfDomain
-        The route does not cover the fabric, or cannot promise ``rtol``.
+        The route does not cover the scene, or cannot promise ``rtol``.
     UnknownChoice, ValueOutOfRange, NotFinite, WrongType
         A route or accuracy that does not exist, or no scene.
 
@@ -119,12 +127,14 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
     name = chosen(route, ("auto", *ROUTES), name="route")
     selection = select(scene)
     fabric, hypothesis = selection.fabric, scene.model.hypothesis
-    best, promise, reason = _decide(name, fabric, hypothesis, route_accuracy(wanted))
+    if hypothesis is Hypothesis.STATIC and selection.loading is not None:
+        selection.loading.require_finite_compliance(fabric.D33)
+    best, promise, reason = _decide(name, fabric, hypothesis, selection.loading, route_accuracy(wanted))
     _require_accuracy(best, promise, wanted)
     return Plan(
         hypothesis=hypothesis, route=best.name, route_reason=reason,
         effects_simulated=tuple(selection.simulated), called_for=selection.simulated,
-        effects_not_called_for=selection.not_called_for, fabric=fabric,
+        effects_not_called_for=selection.not_called_for, fabric=fabric, loading=selection.loading,
         poisson_ratio=scene.grains.poisson_ratio, evaluations=promise.evaluations,
         relative_error=promise.relative_error + SCALING_ERROR, rtol=wanted)
 
@@ -151,18 +161,18 @@ def route_accuracy(rtol: float | None) -> float | None:
     return (COARSE_SHARE * rtol if rtol > COARSE else rtol) - SCALING_ERROR
 
 
-def _decide(name: str, fabric: AxialFabric, hypothesis: Hypothesis,
+def _decide(name: str, fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
             wanted: float | None) -> tuple[Route, Promise, str]:
     passed = ""
     for route in (ROUTES[known] for known in (AUTO if name == "auto" else (name,))):
-        promise = route.promise(fabric, hypothesis, wanted)
+        promise = route.promise(fabric, hypothesis, loading, wanted)
         if promise is not None:
-            why = f"the cheapest that serves this fabric{passed}" if name == "auto" else "as asked for"
+            why = f"the cheapest that serves this scene{passed}" if name == "auto" else "as asked for"
             return route, promise, f"{route.title}, {why}"
         passed = f" ({route.name} does not)"
-    raise RouteOutOfDomain(f"route = {name} for {fabric}",
-                           allowed=f"it does not serve this fabric by the {hypothesis} hypothesis",
-                           remedy=f"Use route {AUTO[-1]}, which serves every admissible fabric.")
+    raise RouteOutOfDomain(f"route = {name} for {fabric}" + ("" if loading is None else " with contact forces"),
+                           allowed=f"it does not serve this scene by the {hypothesis} hypothesis",
+                           remedy=f"Use route {AUTO[-1]}, which serves every admissible scene.")
 
 
 def _require_accuracy(route: Route, promise: Promise, rtol: float | None) -> None:

@@ -35,7 +35,7 @@ class Ratio:
 
 
 def ratios(stiffness: Stiffness, *, fabric: AxialFabric, poisson_ratio: float,
-           hypothesis: Hypothesis) -> tuple[Ratio, ...]:
+           hypothesis: Hypothesis, equal_contacts: bool = True) -> tuple[Ratio, ...]:
     """C1111/C3333 and C2323/C1212 of an evaluated scene.
 
     With contacts of one stiffness and the kinematic hypothesis the components are rational in D33, D3333, Dr33 and
@@ -52,6 +52,8 @@ def ratios(stiffness: Stiffness, *, fabric: AxialFabric, poisson_ratio: float,
         Poisson ratio of the solid [-].
     hypothesis : Hypothesis
         Kinematic or static.
+    equal_contacts : bool
+        Whether all contacts are equally stiff; otherwise the ratios are not rational.
 
     Returns
     -------
@@ -60,7 +62,7 @@ def ratios(stiffness: Stiffness, *, fabric: AxialFabric, poisson_ratio: float,
 
     Notes
     -----
-    Accuracy: exact and rounded once by the kinematic hypothesis; by the static one twice the stiffness' own bound.
+    Accuracy: exact and rounded once where rational; elsewhere twice the stiffness' own bound.
     Source: eqs (4) and (7), and the paper's Tables II-V.
 
     Examples
@@ -70,7 +72,7 @@ def ratios(stiffness: Stiffness, *, fabric: AxialFabric, poisson_ratio: float,
     >>> str(pair[0].exact)
     '678697/466603'
     """
-    if hypothesis is not Hypothesis.KINEMATIC:
+    if hypothesis is not Hypothesis.KINEMATIC or not equal_contacts:
         six = stiffness.components
         return tuple(Ratio(f"{over}/{under}", six[over] / six[under], None) for over, under in PAIRS)
     exact = dict(zip(COMPONENTS, rational_components(fabric, poisson_ratio=poisson_ratio), strict=True))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from typing import Annotated, Any, Self
 
@@ -46,6 +47,11 @@ class Grains(Table):
             raise ConflictingKeys("friction_angle and friction_coefficient are both given",
                                   allowed="allowed one of the two", remedy="Delete one of them.")
         return self
+
+    @property
+    def friction(self) -> float | None:
+        """Friction coefficient mu [-], whichever way it was given; None for contacts that never slip."""
+        return self.friction_coefficient if self.friction_angle is None else math.tan(self.friction_angle)
 
 
 class Packing(Table):

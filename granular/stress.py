@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Field, model_validator
 
-from granular.errors import ConflictingKeys, MissingKey, ValueOutOfRange
+from granular.errors import ConflictingKeys, MissingKey, StressNotCompressive
 from granular.fields import Number
 from granular.table import Table
 from granular.tensors import SymmetricTensor, Tensor, require_axial
 from granular.units import PRESSURE
+
+if TYPE_CHECKING:
+    from granular.loading import Loading
 
 
 class Stress(Table):
@@ -22,7 +25,8 @@ class Stress(Table):
         remedy="Give the mean compressive stress as a positive number.")] = Field(
         default=None, description="mean stress (sigma11 + sigma22 + sigma33)/3")
     ratio: Annotated[float | None, Number(
-        at_least=0.0, optional=True, why="contacts carry no tension")] = Field(
+        at_least=0.0, optional=True, why="contacts carry no tension",
+        remedy="Give a tensor for a stress with a tension, under which contacts open.")] = Field(
         default=None, description="sigma33/sigma11, 1 by default")
     tensor: Annotated[Tensor | None, SymmetricTensor(dimension=PRESSURE, optional=True)] = Field(
         default=None, description="stress tensor in place of mean and ratio")
@@ -37,16 +41,19 @@ class Stress(Table):
         if extra:
             raise ConflictingKeys(f"tensor and {extra[0]} are both given",
                                   allowed="allowed mean with ratio, or tensor", remedy="Delete one of them.")
-        for index in range(3):
-            if self.tensor[index][index] < 0.0:
-                place = f"t{index + 1}{index + 1}"
-                raise ValueOutOfRange(f"tensor {place} = {self.tensor[index][index]!r} Pa",
-                                      allowed=f"allowed {place} >= 0 Pa (compression is positive)",
-                                      remedy="Give compressive stresses as positive numbers.")
         require_axial(self.tensor)
+        sigma11, sigma33 = self.principal
+        if sigma11 <= 0 and sigma33 <= 0:
+            raise StressNotCompressive(
+                f"tensor has t11 = {float(sigma11)!r} Pa and t33 = {float(sigma33)!r} Pa",
+                allowed="allowed only a stress with some compression (compression is positive)",
+                remedy="Give compressive stresses as positive numbers.")
         if self.mean_stress <= 0.0:
-            raise ValueOutOfRange(f"tensor has the mean {self.mean_stress!r}", allowed="allowed mean > 0 Pa",
-                                  remedy="Give a compressive stress.")
+            raise StressNotCompressive(
+                f"tensor has the mean {self.mean_stress!r} Pa",
+                allowed="allowed a mean above 0 Pa, because the unit of stiffness is that of the isotropic assembly "
+                "under the mean stress",
+                remedy="Give a stress whose compression outweighs its tension.")
         return self
 
     @property
@@ -55,6 +62,13 @@ class Stress(Table):
         if self.tensor is not None:
             return Fraction(self.tensor[0][0]), Fraction(self.tensor[2][2])
         return Fraction(1), Fraction(1 if self.ratio is None else self.ratio)
+
+    def loading(self, friction: float | None) -> Loading:
+        """Principal stresses and friction as the contacts feel them."""
+        from granular.loading import Loading
+
+        sigma11, sigma33 = self.principal
+        return Loading(sigma11=sigma11, sigma33=sigma33, friction=friction)
 
     @property
     def mean_stress(self) -> float:

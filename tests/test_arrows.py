@@ -22,7 +22,9 @@ FORBIDDEN = {
 LAZY = {"numpy", "scipy", "matplotlib", "plotly", "pandas", "pint", "flint", "rich", "numba", "dask"}
 """What granular may load only inside the one function that needs it, on the way of a single scene."""
 
-ARRAYS_ARE_THEIR_SUBJECT = ("granular/figures/", "granular/generated/", "granular/routes/axial_array.py")
+ARRAYS_ARE_THEIR_SUBJECT = ("granular/figures/", "granular/generated/", "granular/routes/axial_array.py",
+                            "granular/routes/axial_kinetic_array.py", "granular/routes/expansions.py",
+                            "granular/routes/log_tangent_array.py", "granular/routes/slip_geometry_array.py")
 
 
 def imports(path: Path, *, top_level: bool) -> Iterator[tuple[int, str]]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+    from granular.loading import Loading
     from granular.scene import Scene
 
 
@@ -44,7 +45,11 @@ class Effect:
     called_for : callable
         Decides from a scene.
     add_to_fabric : callable or None
-        Puts the scene's share of the effect into the fabric that is computed; None while it is not built.
+        Puts the scene's share of the effect into the fabric that is computed; None where it has no share.
+    add_to_loading : callable or None
+        The same for what the stress does to the contacts.
+    requires : tuple of str
+        Effects without which this one means nothing.
     """
 
     name: str
@@ -53,8 +58,10 @@ class Effect:
     without: str
     called_for: Callable[[Scene], Called]
     add_to_fabric: Callable[[Scene, AxialFabric], AxialFabric] | None = None
+    add_to_loading: Callable[[Scene, Loading | None], Loading] | None = None
+    requires: tuple[str, ...] = ()
 
     @property
     def built(self) -> bool:
         """Whether this version simulates the effect."""
-        return self.add_to_fabric is not None
+        return self.add_to_fabric is not None or self.add_to_loading is not None

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 from granular.effects.effect import Called, Effect
 
 if TYPE_CHECKING:
+    from granular.loading import Loading
     from granular.scene import Scene
 
 
 def force_coefficients(scene: Scene) -> tuple[Fraction, Fraction]:
-    """Estimated contact force at the equator and at the pole, up to a common positive factor, exactly.
+    """Estimated contact force at the equator and at the pole, over that of the isotropic assembly, exactly.
 
     Parameters
     ----------
@@ -22,24 +23,24 @@ def force_coefficients(scene: Scene) -> tuple[Fraction, Fraction]:
     Returns
     -------
     tuple of Fraction
-        a = sigma11/N11 and c = sigma33/N33 [-], N11 = 1/3 - D33/15, N33 = 1/3 + 2 D33/15; the normal force in
-        the direction x is proportional to a (1 - x^2) + c x^2, the shear force to |c - a| x sqrt(1 - x^2).
+        a and c [-], see :meth:`granular.loading.Loading.coefficients`.
 
     Notes
     -----
     Exact for the doubles given. Source: eq. (23).
     """
-    sigma11, sigma33 = scene.stress.principal
-    D33 = Fraction(scene.fabric.D33)
-    return 15 * sigma11 / (5 - D33), 15 * sigma33 / (5 + 2 * D33)
+    return scene.stress.loading(None).coefficients(scene.fabric.D33)
 
 
 def _called_for(scene: Scene) -> Called:
     equator, pole = force_coefficients(scene)
     if equator == pole:
         return Called(False, "the estimated contact force is the same in every direction")
-    if equator == 0:
-        return Called(True, "the estimated contact force varies with direction: it vanishes at the equator")
+    if equator <= 0:
+        return Called(True, "the estimated contact force varies with direction: "
+                            + ("it vanishes at the equator" if equator == 0 else "it is a tension at the equator"))
+    if pole < 0:
+        return Called(True, "the estimated contact force varies with direction: it is a tension at the pole")
     return Called(True, "the estimated contact force varies with direction: at the pole it is "
                         f"{_decimal(pole / equator)} times that at the equator")
 
@@ -51,8 +52,12 @@ def _decimal(ratio: Fraction) -> str:
         return "more than 1e308"
 
 
+def _add_to_loading(scene: Scene, loading: Loading | None) -> Loading:
+    return loading or scene.stress.loading(None)
+
+
 EFFECT = Effect(
     name="kinetic", title="contact stiffness that follows the contact force", source="eqs (20) and (22)-(23)",
     without="every contact then has the stiffness of the ideal assembly under the mean stress, as in the paper's "
             "Table II",
-    called_for=_called_for)
+    called_for=_called_for, add_to_loading=_add_to_loading)

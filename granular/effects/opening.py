@@ -8,17 +8,23 @@ from granular.effects.effect import Called, Effect
 from granular.effects.kinetic import force_coefficients
 
 if TYPE_CHECKING:
+    from granular.loading import Loading
     from granular.scene import Scene
 
 
 def _called_for(scene: Scene) -> Called:
     equator, pole = force_coefficients(scene)
-    if equator > 0 and pole > 0:
-        return Called(False, "every contact is compressed")
-    where = "at the pole" if pole <= 0 else "at the equator"
-    return Called(True, f"the estimated normal force is not positive {where}")
+    if equator >= 0 and pole >= 0:
+        return Called(False, "no contact is pulled" if 0 in (equator, pole) else "every contact is compressed")
+    where = "around the pole" if pole < 0 else "around the equator"
+    return Called(True, f"the estimated normal force is a tension {where}")
+
+
+def _add_to_loading(scene: Scene, loading: Loading | None) -> Loading:
+    return loading or scene.stress.loading(None)
 
 
 EFFECT = Effect(
     name="opening", title="contacts that have opened", source="the local yield condition that goes with eq. (20)",
-    without="contacts then never open", called_for=_called_for)
+    without="contacts then never open", called_for=_called_for, add_to_loading=_add_to_loading,
+    requires=("kinetic",))

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.effects import CATALOGUE, Called, Effect
-from granular.errors import EffectNotBuilt
+from granular.errors import ConflictingKeys, EffectNotBuilt
 from granular.fabric import AxialFabric
 
 if TYPE_CHECKING:
+    from granular.loading import Loading
     from granular.scene import Scene
 
 LEFT_OUT = "left out by the scene's list of effects"
@@ -28,11 +29,14 @@ class Selection:
         Effect -> why it is not.
     fabric : AxialFabric
         What the simulated effects leave of the scene's fabric [-].
+    loading : Loading or None
+        What the stress does to the contacts; None when all contacts are taken as equally stiff.
     """
 
     simulated: dict[str, str]
     not_called_for: dict[str, str]
     fabric: AxialFabric
+    loading: Loading | None
 
 
 def select(scene: Scene) -> Selection:
@@ -46,12 +50,16 @@ def select(scene: Scene) -> Selection:
     Returns
     -------
     Selection
-        Effects with reasons, and the fabric that they leave.
+        Effects with reasons, and the fabric and loading that they leave.
 
     Raises
     ------
     EffectNotBuilt
         An effect that is called for, or listed, is not built; it is never left out silently.
+    ConflictingKeys
+        An effect is listed without one that it needs, or contacts would carry tension.
+    MissingKey
+        Slip is listed, and the scene gives no friction.
 
     Notes
     -----
@@ -71,16 +79,37 @@ def select(scene: Scene) -> Selection:
     wanted = [effect for effect in CATALOGUE
               if (called[effect.name].wanted if listed == "auto" else effect.name in listed)]
     _require_built(wanted, called, by_list=listed != "auto")
-    fabric = AxialFabric()
+    names = {effect.name for effect in wanted}
+    needed = {name: effect.name for effect in wanted for name in effect.requires if name not in names}
+    if listed == "auto":
+        wanted = [effect for effect in CATALOGUE if effect.name in names or effect.name in needed]
+        called |= {name: Called(True, f"{by} needs it") for name, by in needed.items()}
+        names |= set(needed)
+    else:
+        _require_companions(scene, names, needed)
+    fabric, loading = AxialFabric(), None
     for effect in wanted:
         if effect.add_to_fabric is not None:
             fabric = effect.add_to_fabric(scene, fabric)
-    names = {effect.name for effect in wanted}
+        if effect.add_to_loading is not None:
+            loading = effect.add_to_loading(scene, loading)
     return Selection(
         simulated={name: call.reason for name, call in called.items() if name in names},
         not_called_for={name: f"{LEFT_OUT} ({call.reason})" if call.wanted else call.reason
                         for name, call in called.items() if name not in names},
-        fabric=fabric)
+        fabric=fabric, loading=loading)
+
+
+def _require_companions(scene: Scene, names: set[str], needed: dict[str, str]) -> None:
+    """Refuse a list that contradicts itself."""
+    for name, by in needed.items():
+        raise ConflictingKeys(f"model.effects lists {by} without {name}",
+                              allowed=f"allowed {by} only together with {name}",
+                              remedy=f"Add {name} to the list, or take {by} off.")
+    if "kinetic" in names and "opening" not in names and scene.stress.loading(None).opens():
+        raise ConflictingKeys("model.effects lists kinetic without opening under a stress with a tension",
+                              allowed="allowed only contacts that carry no tension",
+                              remedy="Add opening to the list, or take kinetic off.")
 
 
 def _require_built(wanted: list[Effect], called: dict[str, Called], *, by_list: bool) -> None:

@@ -1,6 +1,8 @@
-"""The stiffness by a Gauss rule along the meridian: serves every admissible fabric, under both hypotheses.
+"""The stiffness by a rule along the meridian: serves every admissible fabric and loading, under both hypotheses.
 
-Needs nothing but ``math`` and the fractions of the standard library; the twin for arrays is ``axial_array``.
+Contacts of equal stiffness take a Gauss rule, from here; those whose stiffness follows their force take the rule of
+``axial_kinetic``. Needs nothing but ``math`` and the fractions of the standard library; the twin for arrays is
+``axial_array``.
 """
 
 from __future__ import annotations
@@ -17,6 +19,7 @@ from granular.routes.result import RouteResult, Six
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+    from granular.loading import Loading
 
 NAME = "axial"
 
@@ -30,8 +33,8 @@ the worst was 1.8 * 2**-52, which is 2.9 units in the last place (kinematic), an
 
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
-             rtol: float | None = None) -> RouteResult:
-    """Six components over (M/V) l_e^2 k_n,ref by a Gauss rule in x = cos(beta).
+             loading: Loading | None = None, rtol: float | None = None) -> RouteResult:
+    """Six components over (M/V) l_e^2 k_n,ref by a rule along the meridian.
 
     Parameters
     ----------
@@ -41,6 +44,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         Poisson's ratio of the grain material [-], 0 <= nu <= 0.5.
     hypothesis : Hypothesis
         Kinematic (upper bound) or static (lower estimate).
+    loading : Loading or None
+        Stress and friction, for contacts whose stiffness follows their force; None for contacts of equal stiffness.
     rtol : float or None
         Relative accuracy wanted of every component [-]; refused below the declared one.
 
@@ -51,12 +56,14 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
 
     Accuracy
     --------
-    ``RELATIVE_ERROR`` for every component of every admissible fabric that is not subnormal.
+    ``RELATIVE_ERROR`` for every component of every admissible fabric that is not subnormal, under every loading.
 
     Raises
     ------
     RouteOutOfDomain
         ``rtol`` is below the declared error.
+    ComplianceInfinite
+        Static hypothesis with contacts that slide or have opened.
 
     Source
     ------
@@ -70,9 +77,44 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     ((0.0, 0.0), 80)
     """
     require_accuracy(NAME, RELATIVE_ERROR, rtol)
+    if loading is not None:
+        from granular.routes.axial_kinetic import components_by_contacts, suitable_contacts
+
+        contacts = suitable_contacts(fabric, loading, hypothesis)
+        six = components_by_contacts(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, contacts=contacts)
+        return RouteResult(six, RELATIVE_ERROR, len(contacts))
     rule = suitable_rule(fabric, hypothesis)
     components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, rule=rule)
     return RouteResult(components, RELATIVE_ERROR, len(rule))
+
+
+def nodes_of(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> int:
+    """Count the nodes that an evaluation takes, without evaluating.
+
+    Parameters
+    ----------
+    fabric : AxialFabric
+        Contact normals and branch lengths about axis 3 [-].
+    hypothesis : Hypothesis
+        Kinematic or static.
+    loading : Loading or None
+        Stress and friction, for contacts whose stiffness follows their force.
+
+    Returns
+    -------
+    int
+        Nodes [-].
+
+    Raises
+    ------
+    ComplianceInfinite
+        Static hypothesis with contacts that slide or have opened.
+    """
+    if loading is None:
+        return len(suitable_rule(fabric, hypothesis))
+    from granular.routes.axial_kinetic import suitable_contacts
+
+    return len(suitable_contacts(fabric, loading, hypothesis))
 
 
 def suitable_rule(fabric: AxialFabric, hypothesis: Hypothesis, *, nodes: int | None = None) -> AxialRule:
@@ -137,10 +179,9 @@ def components_by_rule(fabric: AxialFabric, *, poisson_ratio: float, hypothesis:
     """
     from granular.generated import kinematic_constant, static_constant
 
-    d33, d3333, nu = Fraction(fabric.D33), Fraction(fabric.D3333), Fraction(poisson_ratio)
-    density = (1 - d33 / 2 + 3 * d3333 / 8, 2 + d33 / 2 - 3 * d3333, 1 + d33 + d3333)
+    d33, nu = Fraction(fabric.D33), Fraction(poisson_ratio)
     averages = _averages(fabric, hypothesis, rule)
-    p0, p1, p2 = (sum((e * averages[j + k] for j, e in enumerate(density)), Fraction(0)) for k in range(3))
+    p0, p1, p2 = (sum((e * averages[j + k] for j, e in enumerate(density_of(fabric))), Fraction(0)) for k in range(3))
     # The moments are the only rounded numbers here.
     if hypothesis is Hypothesis.KINEMATIC:
         return rounded(kinematic_constant.stiffness_from_moments(*fractions_of(p0, p1, p2, nu)))
@@ -155,11 +196,43 @@ def _averages(fabric: AxialFabric, hypothesis: Hypothesis, rule: AxialRule) -> l
     branch = [w0 * s + (w1 * x2 + (w0_rest * s + w1_rest * x2))
               for s, x2 in zip(rule.sine_squared, rule.cosine_squared, strict=True)]
     weight = [w * w for w in branch] if hypothesis is Hypothesis.KINEMATIC else [1 / (w * w) for w in branch]
-    return [_sum(list(map(float.__mul__, weight, rule.columns[m]))) for m in range(POWERS)]
+    return [accurate_sum(list(map(float.__mul__, weight, rule.columns[m]))) for m in range(POWERS)]
 
 
-def _sum(terms: list[float]) -> Fraction:
-    """Add without loss: half a unit here would grow sixfold where the terms of a rank-four density cancel."""
+def density_of(fabric: AxialFabric) -> tuple[Fraction, Fraction, Fraction]:
+    """Coefficients of 4 pi E in s^2, s x^2 and x^4, exactly.
+
+    Parameters
+    ----------
+    fabric : AxialFabric
+        Contact normals about axis 3 [-].
+
+    Returns
+    -------
+    tuple of 3 Fraction
+        The coefficients [-].
+
+    Source
+    ------
+    ``derivations.fabric``.
+    """
+    d33, d3333 = Fraction(fabric.D33), Fraction(fabric.D3333)
+    return 1 - d33 / 2 + 3 * d3333 / 8, 2 + d33 / 2 - 3 * d3333, 1 + d33 + d3333
+
+
+def accurate_sum(terms: list[float]) -> Fraction:
+    """Add without loss: half a unit here would grow sixfold where the terms of a rank-four density cancel.
+
+    Parameters
+    ----------
+    terms : list of float
+        Numbers of any unit [-].
+
+    Returns
+    -------
+    Fraction
+        Their sum to twice the digits of a double [-].
+    """
     nearest = math.fsum(terms)
     return Fraction(nearest) + Fraction(math.fsum([*terms, -nearest]))
 

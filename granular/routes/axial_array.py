@@ -10,6 +10,7 @@ import numpy as np
 from granular.hypothesis import Hypothesis
 from granular.routes.axial import KINEMATIC_NODES
 from granular.routes.axial_rules import ROUND, STEP, Axis, axial_rule, nodes_needed
+from granular.routes.expansions import accurate_sum, two_sum
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -161,9 +162,9 @@ def _moments(D33: ArrayLike, D3333: ArrayLike, Dr33: ArrayLike, hypothesis: Hypo
         # Every term is exact in binary, so that only the sums have to be guarded where E nearly vanishes.
         q = d3333[here]
         one = np.ones_like(q)
-        density = (_accurate_sum(one, -d33[here] / 2, q / 4, q / 8),
-                   _accurate_sum(2 * one, d33[here] / 2, -2 * q, -q),
-                   _accurate_sum(one, d33[here], q))
+        density = (accurate_sum(one, -d33[here] / 2, q / 4, q / 8),
+                   accurate_sum(2 * one, d33[here] / 2, -2 * q, -q),
+                   accurate_sum(one, d33[here], q))
         averages = _averages(dr33[here], hypothesis)
         for k in range(3):
             result[k, here] = sum(e * averages[j + k] for j, e in enumerate(density))
@@ -172,8 +173,8 @@ def _moments(D33: ArrayLike, D3333: ArrayLike, Dr33: ArrayLike, hypothesis: Hypo
 
 def _averages(dr33: Array, hypothesis: Hypothesis) -> Array:
     """<s^(4-m) x^(2m) W^2>, or the same with W^-2, for m = 0 ... 4; one rule at a time, all its fabrics at once."""
-    w0, w0_rest = _two_sum(np.ones(()), -dr33 / 2)
-    w1, w1_rest = _two_sum(np.ones(()), dr33)
+    w0, w0_rest = two_sum(np.ones(()), -dr33 / 2)
+    w1, w1_rest = two_sum(np.ones(()), dr33)
     steps = np.zeros(dr33.shape, dtype=np.int64)
     if hypothesis is Hypothesis.STATIC:
         steps = _crowding(w0, w1)
@@ -195,7 +196,7 @@ def _guarded_products(weight: Array, columns: Array) -> Array:
     groups = weight.shape[1] // GROUP
     by_group = np.matmul(columns.reshape(-1, groups, GROUP).transpose(1, 0, 2),
                          weight.reshape(-1, groups, GROUP).transpose(1, 2, 0))
-    return _accurate_sum(*by_group)
+    return accurate_sum(*by_group)
 
 
 def _crowding(w0: Array, w1: Array) -> NDArray[np.int64]:
@@ -217,19 +218,3 @@ def _rule(steps: int) -> tuple[Array, Array, Array]:
     rule = axial_rule(Axis.POLE if steps < 0 else Axis.EQUATOR, length,
                       nodes_needed(length) if steps else KINEMATIC_NODES)
     return np.array(rule.sine_squared), np.array(rule.cosine_squared), np.array(rule.columns)
-
-
-def _two_sum(a: Array, b: Array) -> tuple[Array, Array]:
-    """Return a + b and what rounding took from it, both exact."""
-    total = a + b
-    shadow = total - a
-    return total, (a - (total - shadow)) + (b - shadow)
-
-
-def _accurate_sum(first: Array, *terms: Array) -> Array:
-    """Add as if in twice the precision, and round once."""
-    total, rest = first, np.zeros_like(first)
-    for term in terms:
-        total, lost = _two_sum(total, term)
-        rest += lost
-    return total + rest

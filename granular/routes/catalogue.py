@@ -12,6 +12,7 @@ from granular.hypothesis import Hypothesis
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+    from granular.loading import Loading
     from granular.routes.result import RouteResult
 
 
@@ -42,16 +43,16 @@ class Route:
     title : str
         What it does.
     promise : callable
-        Accuracy and cost for a fabric, a hypothesis and a wanted relative accuracy (or None); None where the route
-        does not serve that fabric.
+        Accuracy and cost for a fabric, a hypothesis, a loading (or None) and a wanted relative accuracy (or None);
+        None where the route does not serve them.
     """
 
     name: str
     title: str
-    promise: Callable[[AxialFabric, Hypothesis, float | None], Promise | None]
+    promise: Callable[[AxialFabric, Hypothesis, Loading | None, float | None], Promise | None]
 
     def evaluate(self, fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
-                 rtol: float | None = None) -> RouteResult:
+                 loading: Loading | None = None, rtol: float | None = None) -> RouteResult:
         """Compute the six components.
 
         Parameters
@@ -62,6 +63,8 @@ class Route:
             Poisson ratio of the solid [-], 0 to 0.5.
         hypothesis : Hypothesis
             Kinematic or static.
+        loading : Loading, optional
+            Stress and friction, for contacts whose stiffness follows their force.
         rtol : float, optional
             Wanted relative accuracy of every component [-].
 
@@ -73,51 +76,58 @@ class Route:
         Raises
         ------
         RouteOutOfDomain
-            The route does not serve the fabric, or cannot promise ``rtol``.
+            The route does not serve them, or cannot promise ``rtol``.
+        ComplianceInfinite
+            The static hypothesis with contacts that slide or have opened.
 
         Notes
         -----
         Accuracy: as promised. Source: the route's own.
         """
         module = importlib.import_module(f"granular.routes.{self.name}")
-        result: RouteResult = module.evaluate(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, rtol=rtol)
+        result: RouteResult = module.evaluate(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis,
+                                              loading=loading, rtol=rtol)
         return result
 
 
-def _closed_form(fabric: AxialFabric, hypothesis: Hypothesis, _rtol: float | None) -> Promise | None:
+def _closed_form(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
+                 _rtol: float | None) -> Promise | None:
     from granular.routes.closed_form import covers, relative_error
 
-    return Promise(relative_error(fabric, hypothesis), 0) if covers(fabric, hypothesis) else None
+    if not covers(fabric, hypothesis, loading):
+        return None
+    return Promise(relative_error(fabric, hypothesis, loading), 0)
 
 
-def _axial(fabric: AxialFabric, hypothesis: Hypothesis, _rtol: float | None) -> Promise:
-    from granular.routes.axial import RELATIVE_ERROR, suitable_rule
+def _axial(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None, _rtol: float | None) -> Promise:
+    from granular.routes.axial import RELATIVE_ERROR, nodes_of
 
-    return Promise(RELATIVE_ERROR, len(suitable_rule(fabric, hypothesis)))
+    return Promise(RELATIVE_ERROR, nodes_of(fabric, hypothesis, loading))
 
 
-def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, rtol: float | None) -> Promise | None:
-    from granular.routes.sphere import DEGREES, WANTED, declared_error
+def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
+            rtol: float | None) -> Promise | None:
+    from granular.routes.sphere import DEGREES, WANTED, declared_error, directions_of
 
     wanted = WANTED if rtol is None else rtol
     for degree in DEGREES:
-        error = declared_error(fabric, hypothesis=hypothesis, degree=degree)
+        error = declared_error(fabric, hypothesis=hypothesis, degree=degree, loading=loading)
         if error <= wanted:
             break
     if math.isinf(error) or (rtol is None and error > WANTED):
         return None
-    from scipy.integrate import lebedev_rule
-
-    return Promise(error, int(lebedev_rule(degree)[1].size))
+    return Promise(error, directions_of(degree))
 
 
-def _exact(_fabric: AxialFabric, hypothesis: Hypothesis, _rtol: float | None) -> Promise | None:
+def _exact(_fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
+           _rtol: float | None) -> Promise | None:
     from granular.routes.accuracy import HALF_ULP
 
-    return Promise(HALF_ULP, 0) if hypothesis is Hypothesis.KINEMATIC else None
+    return Promise(HALF_ULP, 0) if hypothesis is Hypothesis.KINEMATIC and loading is None else None
 
 
-def _certified(_fabric: AxialFabric, _hypothesis: Hypothesis, _rtol: float | None) -> Promise:
+def _certified(_fabric: AxialFabric, _hypothesis: Hypothesis, _loading: Loading | None,
+               _rtol: float | None) -> Promise:
     from granular.routes.accuracy import HALF_ULP
 
     return Promise(HALF_ULP, 0)
@@ -125,7 +135,7 @@ def _certified(_fabric: AxialFabric, _hypothesis: Hypothesis, _rtol: float | Non
 
 CATALOGUE: tuple[Route, ...] = (
     Route(name="closed_form", title="the emitted closed form", promise=_closed_form),
-    Route(name="axial", title="a Gauss rule along the meridian", promise=_axial),
+    Route(name="axial", title="a rule along the meridian", promise=_axial),
     Route(name="sphere", title="a Lebedev rule over the sphere", promise=_sphere),
     Route(name="exact", title="the closed form in rational numbers", promise=_exact),
     Route(name="certified", title="ball arithmetic, every digit proved", promise=_certified),

@@ -15,6 +15,7 @@ from granular.routes.result import RouteResult, Six
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+    from granular.loading import Loading
 
 NAME = "closed_form"
 
@@ -27,27 +28,39 @@ RELATIVE_ERROR = {Hypothesis.KINEMATIC: 1 * ULP, Hypothesis.STATIC: 6 * ULP}
 """Bound for a density of rank two. The arithmetic is exact, so that a kinematic component is rounded once; a static
 one inherits the rounding of its moments: 1 unit as a rule, 4.6 at the worst of 80,000 random and boundary fabrics."""
 
+KINETIC_ERROR = 4 * ULP
+"""The same with contact forces: the moments are series in floats, one for each power of the cosine."""
+
 RANK_FOUR_FACTOR = 4.5
 """With D3333 the middle coefficient of the density may be negative. The terms that then cancel are at most 4.45 times
 the sum: that is the largest ratio over all densities with a double zero and all |v| <= 1/2 (at e0/e2 = 0.63, v = 0)."""
 
 
-def covers(fabric: AxialFabric, hypothesis: Hypothesis) -> bool:
-    """Whether the closed form serves a fabric: always (kinematic), for 1/9 <= w1/w0 <= 9 (static)."""
+def covers(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> bool:
+    """Whether the closed form serves a scene.
+
+    Contacts of equal stiffness: always (kinematic), for 1/9 <= w1/w0 <= 9 (static). Contacts whose stiffness follows
+    their force: for forces at pole and equator within a factor 9 that stick all over or slide all over (kinematic),
+    and branches of one length besides (static).
+    """
+    if loading is not None:
+        return _covers_forces(fabric, hypothesis, loading)
     if hypothesis is Hypothesis.KINEMATIC:
         return True
     equator, pole = 2 - fabric.Dr33, 2 * (1 + fabric.Dr33)
     return pole <= LARGEST_RATIO * equator and equator <= LARGEST_RATIO * pole
 
 
-def relative_error(fabric: AxialFabric, hypothesis: Hypothesis) -> float:
+def relative_error(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> float:
     """Declared bound for the worst of the six components, relative to that component [-]."""
-    bound = RELATIVE_ERROR[hypothesis]
-    return bound if fabric.D3333 == 0 or hypothesis is Hypothesis.KINEMATIC else RANK_FOUR_FACTOR * bound
+    if loading is None:
+        bound = RELATIVE_ERROR[hypothesis]
+        return bound if fabric.D3333 == 0 or hypothesis is Hypothesis.KINEMATIC else RANK_FOUR_FACTOR * bound
+    return KINETIC_ERROR if fabric.D3333 == 0 else RANK_FOUR_FACTOR * KINETIC_ERROR
 
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
-             rtol: float | None = None) -> RouteResult:
+             loading: Loading | None = None, rtol: float | None = None) -> RouteResult:
     """Six components over (M/V) l_e^2 k_n,ref from the emitted closed form.
 
     Parameters
@@ -58,6 +71,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         Poisson's ratio of the grain material [-], 0 to 1/2.
     hypothesis : Hypothesis
         Kinematic (upper bound) or static (lower estimate).
+    loading : Loading, optional
+        Stress and friction, for contacts whose stiffness follows their force.
     rtol : float, optional
         Wanted relative accuracy of every component [-]; refused when it is below the declared bound.
 
@@ -69,7 +84,9 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     Raises
     ------
     RouteOutOfDomain
-        Static hypothesis with branch lengths at pole and equator more than a factor 9 apart, or ``rtol`` too small.
+        What :func:`covers` excludes, or ``rtol`` too small.
+    ComplianceInfinite
+        Static hypothesis with contacts that slide or have opened.
 
     Notes
     -----
@@ -82,15 +99,25 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     >>> result.components[2:4]
     (0.0, 0.0)
     """
-    if not covers(fabric, hypothesis):
+    if loading is not None and hypothesis is Hypothesis.STATIC:
+        loading.require_finite_compliance(fabric.D33)
+    if not covers(fabric, hypothesis, loading):
+        if loading is not None:
+            raise RouteOutOfDomain(
+                "route = closed_form with contact forces",
+                allowed="the series serves forces at pole and equator within a factor 9, without partial slip or "
+                "opening, and under the static hypothesis branches of one length",
+                remedy='Use route = "axial", which serves every loading.')
         raise RouteOutOfDomain(
             f"route = closed_form for Dr33 = {fabric.Dr33!r}",
             allowed="the static closed form serves -16/19 <= Dr33 <= 16/11",
             remedy='Use route = "axial", which serves every admissible fabric.')
-    bound = relative_error(fabric, hypothesis)
+    bound = relative_error(fabric, hypothesis, loading)
     if rtol is not None and rtol < bound:
         raise RouteOutOfDomain(f"rtol = {rtol!r}", allowed=f"route closed_form promises {bound:.1e} here",
                                remedy='Ask for less, or use route = "certified".')
+    if loading is not None:
+        return RouteResult(_kinetic(fabric, poisson_ratio, hypothesis, loading), bound, 0)
     compute = _kinematic if hypothesis is Hypothesis.KINEMATIC else _static
     return RouteResult(compute(fabric, poisson_ratio), bound, 0)
 
@@ -107,3 +134,29 @@ def _static(fabric: AxialFabric, poisson_ratio: float) -> Six:
 
     moments = static_moments(fabric.D33, fabric.D3333, fabric.Dr33)
     return rounded(stiffness_from_moments(*fractions_of(*moments, fabric.D33, poisson_ratio)))
+
+
+def _covers_forces(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading) -> bool:
+    a, c = loading.coefficients(fabric.D33)
+    if loading.opens() or not (c <= LARGEST_RATIO * a and a <= LARGEST_RATIO * c):
+        return False
+    if hypothesis is Hypothesis.STATIC and fabric.Dr33 != 0:
+        return False
+    return not loading.slips(fabric.D33) or loading.friction == 0
+
+
+def _kinetic(fabric: AxialFabric, poisson_ratio: float, hypothesis: Hypothesis, loading: Loading) -> Six:
+    """Moments from the emitted series, the rest in exact fractions; without friction k_r is zero."""
+    from granular.generated import kinematic_constant, kinetic, static_constant
+
+    exact_a, exact_c = loading.coefficients(fabric.D33)
+    a, c, d = float(exact_a), float(exact_c), float(exact_c - exact_a)
+    if hypothesis is Hypothesis.STATIC:
+        moments = kinetic.kinetic_static_moments(fabric.D33, fabric.D3333, a, c, d)
+        return rounded(static_constant.stiffness_from_moments(*fractions_of(*moments, fabric.D33, poisson_ratio)))
+    moments = kinetic.kinetic_moments(fabric.D33, fabric.D3333, fabric.Dr33, a, c, d)
+    if loading.friction == 0:
+        from granular.generated.kinetic_components import stiffness_from_weights
+
+        return rounded(stiffness_from_weights(*fractions_of(*moments, 0, 0, 0, *moments[:2])))
+    return rounded(kinematic_constant.stiffness_from_moments(*fractions_of(*moments, poisson_ratio)))

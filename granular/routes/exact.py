@@ -17,6 +17,7 @@ from granular.routes.result import RouteResult
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+    from granular.loading import Loading
 
 NAME = "exact"
 
@@ -64,7 +65,7 @@ def rational_components(fabric: AxialFabric, *, poisson_ratio: float,
 
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
-             rtol: float | None = None) -> RouteResult:
+             loading: Loading | None = None, rtol: float | None = None) -> RouteResult:
     """Six components from rational arithmetic, rounded to the nearest binary64 numbers.
 
     Parameters
@@ -75,6 +76,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         Poisson's ratio of the grain material [-], 0 <= nu <= 0.5.
     hypothesis : Hypothesis
         Kinematic; the static components are not rational.
+    loading : Loading or None
+        Must be None: cube roots of contact forces are not rational either.
     rtol : float or None
         Relative accuracy wanted of every component [-]; refused below half a unit in the last place.
 
@@ -90,7 +93,7 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     Raises
     ------
     RouteOutOfDomain
-        The static hypothesis, or an ``rtol`` that a binary64 number cannot hold.
+        The static hypothesis, a loading, or an ``rtol`` that a binary64 number cannot hold.
 
     Source
     ------
@@ -105,6 +108,10 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     if hypothesis is not Hypothesis.KINEMATIC:
         raise RouteOutOfDomain("route = exact under the static hypothesis",
                                allowed="allowed: the kinematic hypothesis, whose components are rational",
+                               remedy="Use the route closed_form or axial.")
+    if loading is not None:
+        raise RouteOutOfDomain("route = exact with contact forces",
+                               allowed="allowed: contacts of equal stiffness, for which the components are rational",
                                remedy="Use the route closed_form or axial.")
     require_accuracy(NAME, HALF_ULP, rtol)
     components = rational_components(fabric, poisson_ratio=poisson_ratio, decimal=False)

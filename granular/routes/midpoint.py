@@ -9,11 +9,13 @@ from granular.errors import RouteOutOfDomain
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import require_accuracy
 from granular.routes.axial import components_by_rule
+from granular.routes.axial_kinetic import components_by_contacts, contacts_at
 from granular.routes.axial_rules import POWERS, AxialRule
 from granular.routes.result import RouteResult
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+    from granular.loading import Loading
 
 NAME = "midpoint"
 
@@ -24,8 +26,8 @@ PANELS = (2, 10_000)
 """Fewest and most panels that are served."""
 
 
-def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis, rtol: float | None = None,
-             panels: int = PRINTED_PANELS) -> RouteResult:
+def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
+             loading: Loading | None = None, rtol: float | None = None, panels: int = PRINTED_PANELS) -> RouteResult:
     """Six components over (M/V) l_e^2 k_n,ref by the midpoint rule in beta with the weight sin(beta).
 
     Parameters
@@ -36,6 +38,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         Poisson's ratio of the grain material [-], 0 <= nu <= 0.5.
     hypothesis : Hypothesis
         Kinematic or static.
+    loading : Loading or None
+        Stress and friction, for contacts whose stiffness follows their force.
     rtol : float or None
         Relative accuracy wanted of every component [-]; refused, because none is promised.
     panels : int
@@ -54,6 +58,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     ------
     RouteOutOfDomain
         An ``rtol``, or a number of panels that is not served.
+    ComplianceInfinite
+        Static hypothesis with contacts that slide or have opened.
 
     Source
     ------
@@ -71,8 +77,14 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         raise RouteOutOfDomain(f"panels = {panels}", allowed=f"allowed {fewest} <= panels <= {most}",
                                remedy=f"Give {PRINTED_PANELS} panels for the digits of the printed tables.")
     require_accuracy(NAME, math.inf, rtol)
-    components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis,
-                                    rule=_midpoint_rule(panels))
+    rule = _midpoint_rule(panels)
+    if loading is None:
+        components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, rule=rule)
+    else:
+        if hypothesis is Hypothesis.STATIC:
+            loading.require_finite_compliance(fabric.D33)
+        components = components_by_contacts(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis,
+                                            contacts=contacts_at(rule, fabric, loading))
     return RouteResult(components, math.inf, panels)
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from granular.fabric import AxialFabric
+    from granular.loading import Loading
 
     Array = NDArray[np.float64]
 
@@ -37,7 +38,7 @@ Worst over all degrees and some thousand random and boundary fabrics: 5e-15 (kin
 
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
-             rtol: float | None = None) -> RouteResult:
+             loading: Loading | None = None, rtol: float | None = None) -> RouteResult:
     """Six components over (M/V) l_e^2 k_n,ref by a Lebedev rule, of the lowest degree that is good enough.
 
     Parameters
@@ -48,6 +49,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         Poisson's ratio of the grain material [-], 0 <= nu <= 0.5.
     hypothesis : Hypothesis
         Kinematic (upper bound) or static (lower estimate).
+    loading : Loading or None
+        Stress and friction, for contacts whose stiffness follows their force; served where no contact slips or opens.
     rtol : float or None
         Relative accuracy wanted of every component [-]; None aims at ``WANTED``.
 
@@ -76,20 +79,23 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     50
     """
     wanted = WANTED if rtol is None else rtol
-    errors = {degree: declared_error(fabric, hypothesis=hypothesis, degree=degree) for degree in DEGREES}
+    errors = {degree: declared_error(fabric, hypothesis=hypothesis, degree=degree, loading=loading)
+              for degree in DEGREES}
     degree = next((degree for degree, error in errors.items() if error <= wanted), DEGREES[-1])
     if math.isinf(errors[degree]) or (rtol is None and errors[degree] > WANTED):
         raise RouteOutOfDomain(
-            f"route = sphere for Dr33 = {fabric.Dr33!r}",
-            allowed=f"allowed branch lengths for which a rule of degree {DEGREES[-1]} is good enough "
+            f"route = sphere for Dr33 = {fabric.Dr33!r}" + ("" if loading is None else " with contact forces"),
+            allowed=f"allowed integrands without slip for which a rule of degree {DEGREES[-1]} is good enough "
             f"(its relative error may be {errors[degree]:.2g} here)",
-            remedy="Use the route axial, which serves every fabric.")
+            remedy="Use the route axial, which serves every scene.")
     require_accuracy(NAME, errors[degree], rtol)
-    components = components_by_degree(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, degree=degree)
+    components = components_by_degree(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, degree=degree,
+                                      loading=loading)
     return RouteResult(components, errors[degree], directions_of(degree))
 
 
-def declared_error(fabric: AxialFabric, *, hypothesis: Hypothesis, degree: int) -> float:
+def declared_error(fabric: AxialFabric, *, hypothesis: Hypothesis, degree: int,
+                   loading: Loading | None = None) -> float:
     """Bound the error of a degree.
 
     Parameters
@@ -100,6 +106,8 @@ def declared_error(fabric: AxialFabric, *, hypothesis: Hypothesis, degree: int) 
         Kinematic or static.
     degree : int
         Degree of a rule with positive weights [-], one of ``DEGREES``.
+    loading : Loading or None
+        Stress and friction; None for contacts of equal stiffness.
 
     Returns
     -------
@@ -118,7 +126,8 @@ def declared_error(fabric: AxialFabric, *, hypothesis: Hypothesis, degree: int) 
     most 2 eta/(1 - eta) of itself. The shear compliances are such averages. The block of the normal directions is
     a diagonally dominant M-matrix whose row sums and off-diagonal entries are such averages, so that an entry of its
     inverse errs by 5 times as much to first order; 6 is used. The best q that is a combination of two
-    Chebyshev polynomials is explicit.
+    Chebyshev polynomials is explicit. Contact forces without slip are served under the kinematic hypothesis, with a
+    polynomial for k_n in place of 1/W^2; with slip no polynomial is near, and nothing is promised.
 
     Source
     ------
@@ -133,7 +142,15 @@ def declared_error(fabric: AxialFabric, *, hypothesis: Hypothesis, degree: int) 
     density = 2 if fabric.D3333 == 0 else 4
     shortest, longest = sorted((1 - fabric.Dr33 / 2, 1 + fabric.Dr33))
     if hypothesis is Hypothesis.KINEMATIC:
-        return ROUNDING if degree >= density + 8 else math.inf
+        beyond = degree - density - 8
+        if beyond < 0:
+            return math.inf
+        if loading is None:
+            return ROUNDING
+        eta = _force_approximation(fabric, loading, beyond // 2)
+        return 2 * eta / (1 - eta) + ROUNDING if eta < 0.01 else math.inf
+    if loading is not None:
+        return math.inf
     # Products with E, n_i, n_k and s_jl have the degree density + 4; the rest is there to follow 1/W^2.
     halves = (degree - density - 4) // 2 + 2
     if halves < 2:
@@ -142,6 +159,24 @@ def declared_error(fabric: AxialFabric, *, hypothesis: Hypothesis, degree: int) 
     if eta > 0.01:
         return math.inf
     return 6 * 2 * eta / (1 - eta) + ROUNDING * longest / shortest
+
+
+def _force_approximation(fabric: AxialFabric, loading: Loading, order: int) -> float:
+    """Bound of the relative error of the best polynomial of an order in y = 2 x^2 - 1 for (a s + c x^2)^(1/3).
+
+    Up to a factor it is (1 + w y)^(1/3), at least (1 - |w|)^(1/3) on the interval and at most 2^(1/3) on the Bernstein
+    ellipse that runs through the singularity.
+    """
+    a, c = (float(value) for value in loading.coefficients(fabric.D33))
+    if loading.opens() or loading.slips(fabric.D33) or not (a > 0 and c > 0):
+        return math.inf
+    w = abs(c - a) / (c + a)
+    if w == 0:
+        return 0.0
+    grown = (1 + math.sqrt((1 - w) * (1 + w))) / w
+    if order * math.log(grown) > 300:
+        return 0.0
+    return 2 * math.cbrt(2 / (1 - w)) * grown**-order / (grown - 1)
 
 
 def _relative_approximation(gap: float, halves: int) -> float:
@@ -158,7 +193,7 @@ def _relative_approximation(gap: float, halves: int) -> float:
 
 
 def components_by_degree(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
-                         degree: int) -> Six:
+                         degree: int, loading: Loading | None = None) -> Six:
     """Evaluate the six components by the Lebedev rule of a given degree, with no promise about its error.
 
     Parameters
@@ -171,6 +206,8 @@ def components_by_degree(fabric: AxialFabric, *, poisson_ratio: float, hypothesi
         Kinematic or static.
     degree : int
         Degree of a Lebedev rule [-].
+    loading : Loading or None
+        Stress and friction; None for contacts of equal stiffness.
 
     Returns
     -------
@@ -192,7 +229,7 @@ def components_by_degree(fabric: AxialFabric, *, poisson_ratio: float, hypothesi
     """
     directions, area = _rule(degree)
     return components_by_cubature(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis,
-                                  directions=directions, weights=area / (4 * math.pi))
+                                  directions=directions, weights=area / (4 * math.pi), loading=loading)
 
 
 def directions_of(degree: int) -> int:
@@ -233,7 +270,7 @@ def _rule(degree: int) -> tuple[Array, Array]:
 
 
 def components_by_cubature(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis, directions: Array,
-                           weights: Array) -> Six:
+                           weights: Array, loading: Loading | None = None) -> Six:
     """Evaluate the six components as a weighted sum over given directions.
 
     Parameters
@@ -248,6 +285,8 @@ def components_by_cubature(fabric: AxialFabric, *, poisson_ratio: float, hypothe
         Unit vectors [-].
     weights : (n,) array
         Weights of the directions [-], with the sum 1.
+    loading : Loading or None
+        Stress and friction, for contacts whose stiffness follows their force, slip and opening included.
 
     Returns
     -------
@@ -270,18 +309,32 @@ def components_by_cubature(fabric: AxialFabric, *, poisson_ratio: float, hypothe
     rank_four = fabric.D3333 * ((35 * squared - 30) * squared + 3) / 8
     density = weights * (1 + np.einsum("iq,ij,jq->q", n, normals, n) + rank_four)
     branch = 1 + np.einsum("iq,ij,jq->q", n, branches, n)
-    stiffness_ratio = 2 * (1 - poisson_ratio) / (2 - poisson_ratio)
+    normal, shear, apart = _contact_stiffness(fabric, loading, n[2], poisson_ratio)
     if hypothesis is Hypothesis.KINEMATIC:
-        spring = _contact_tensor(n, poisson_ratio / (2 - poisson_ratio), stiffness_ratio)
+        spring = _contact_tensor(n, apart, shear)
         return _components(_mandel(_fourth_rank(n, spring, density * branch**2)))
-    # 1/k_n - 1/k_r, and 1/k_r, for k_n = 1
-    flexibility = _contact_tensor(n, -poisson_ratio / (2 - 2 * poisson_ratio), 1 / stiffness_ratio)
+    flexibility = _contact_tensor(n, -apart / (normal * shear), 1 / shear)
     carried = np.linalg.inv((density * n) @ n.T) @ n
     compliance = _mandel(_fourth_rank(carried, flexibility, density / branch**2))
     return _components(np.asarray(np.linalg.inv(compliance), dtype=np.float64))
 
 
-def _contact_tensor(n: Array, along: float, isotropic: float) -> Array:
+def _contact_stiffness(fabric: AxialFabric, loading: Loading | None, cosine: Array,
+                       poisson_ratio: float) -> tuple[Array, Array, Array]:
+    """k_n, k_r and k_n - k_r over k_n,ref in every direction; without slip nothing is subtracted."""
+    import numpy as np
+
+    from granular.contact_distribution import normal_stiffness, shear_stiffness
+
+    normal = np.ones_like(cosine) if loading is None else normal_stiffness(fabric, loading, cosine)
+    if loading is None or not loading.slips(fabric.D33):
+        share = poisson_ratio / (2 - poisson_ratio)
+        return normal, 2 * (1 - poisson_ratio) / (2 - poisson_ratio) * normal, share * normal
+    shear = shear_stiffness(fabric, loading, cosine, poisson_ratio=poisson_ratio)
+    return normal, shear, normal - shear
+
+
+def _contact_tensor(n: Array, along: Array, isotropic: Array) -> Array:
     """Evaluate along n_j n_l + isotropic delta_jl in every direction, (3, 3, n)."""
     import numpy as np
 

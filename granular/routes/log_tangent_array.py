@@ -1,0 +1,237 @@
+"""Arcs of the log-tangent rule for whole arrays of assemblies: the twin of ``log_tangent``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from granular.routes.axial_kinetic import EQUATOR, POLE
+from granular.routes.log_tangent import LONGEST, STEP, STEPS, WIDEST, exponentials
+from granular.routes.slip_geometry_array import Geometry
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+    Index = NDArray[np.intp]
+
+ENTRIES = 2**16
+"""Elements times nodes evaluated at a time, so that a dozen such arrays stay near the processor."""
+
+NEGLIGIBLE = 2.0**-160
+"""Directions whose tangent, or its inverse, is smaller carry nothing, as in ``slip_geometry``."""
+
+FARTHEST = 2.0**500
+"""An edge of the sliding range farther out is moved here, as there."""
+
+Blocks = tuple["Index", "Array", "Array", "Array", "Array"]
+"""Elements of a block, and tan(beta), measure, chi and gamma at their nodes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """Elements that need one kind of arc.
+
+    Attributes
+    ----------
+    index : (n,) array of int
+        The elements.
+    first, last : (n,) array of int
+        First and last node of each.
+    nodes : callable
+        Elements of a block (positions in ``index``) and node numbers (n, nodes) to tan(beta), measure, chi, gamma.
+    """
+
+    index: Index
+    first: Index
+    last: Index
+    nodes: Callable[[Index, Index], tuple[Array, Array, Array, Array]]
+
+    def blocks(self) -> Iterator[Blocks]:
+        """Evaluate the nodes a block at a time, elements with equally many nodes together."""
+        count = self.last - self.first + 1
+        order = np.argsort(count, kind="stable")
+        start = 0
+        while start < order.size:
+            # the longest of a block decides: it may be at most a quarter longer than the shortest
+            room = max(1, ENTRIES // max(1, int(count[order[start]])))
+            block = order[start:start + room]
+            block = block[count[block] <= 1.25 * count[block[0]] + 16]
+            start += block.size
+            numbers = self.first[block][:, None] + np.arange(int(count[block].max()))
+            yield self.index[block], *self.nodes(block, numbers)
+
+
+def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Array, smallest: float) -> Arc:
+    """All directions of elements in which every contact sticks, or whose sliding range is too narrow to matter.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        Of all elements.
+    narrow : (n,) array of bool
+        The elements to take.
+    low, high : (n,) array
+        Range of log(tan(beta)) that matters [-].
+    smallest : float
+        Smallest scale of the map [-].
+
+    Returns
+    -------
+    Arc
+        Their nodes.
+    """
+    from granular.generated.mohr_circle_array import sticking_node
+
+    index = np.flatnonzero(narrow)
+    g = geometry.of(index)
+    left = np.maximum(g.left, 0.0)
+    r = np.maximum(np.sqrt(left / 2), smallest)
+    middle = np.log(g.center)
+    first, last = (np.arcsinh(np.sinh((end[index] - middle) / 2) / r) for end in (low, high))
+
+    def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
+        sine, cosine = _hyperbolic(numbers)
+        growth, rate, chi, gamma = sticking_node(sine, cosine, *(part[block, None] for part in (r, left, g.kappa)))
+        return _around(g.center[block, None], growth, numbers), rate * STEP, chi, gamma
+
+    return Arc(index, _floor(first), _ceil(last), nodes)
+
+
+def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, rho: Array, *,
+            outward: bool) -> Arc:
+    """Sticking contacts beyond the sliding range (towards the equator), or before it (towards the pole).
+
+    Parameters
+    ----------
+    geometry : Geometry
+        Of all elements.
+    wide : (n,) array of bool
+        The elements to take.
+    low, high : (n,) array
+        Range of log(tan(beta)) that matters [-].
+    rho : (n,) array
+        Hyperbolic sine of a quarter of the width of the range [-].
+    outward : bool
+        True towards the equator.
+
+    Returns
+    -------
+    Arc
+        Their nodes.
+    """
+    from granular.generated.mohr_circle_array import beside_node
+
+    edge = geometry.equator if outward else geometry.pole
+    index = np.flatnonzero(wide & (edge <= 1 / NEGLIGIBLE if outward else edge >= NEGLIGIBLE))
+    at, scale = np.clip(edge[index], 1 / FARTHEST, FARTHEST), np.minimum(rho[index], WIDEST)
+    log_edge = np.log(at)
+    end = np.maximum(high[index], log_edge + EQUATOR) if outward else np.minimum(low[index], log_edge + POLE)
+    psi = 2 * np.arcsinh(scale)
+    last = np.arccosh(np.maximum(1.0, np.sinh(np.minimum(psi + np.abs(end - log_edge), 1300.0) / 2) / scale))
+
+    def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
+        grown = _exponentials(numbers)
+        p = grown * grown / (2 * (1 + grown))
+        growth, rate, chi, gamma = beside_node(p, p * (2 + grown) / (1 + grown), scale[block, None])
+        edges = at[block, None]
+        return (edges * growth if outward else edges / growth), rate * STEP, chi, gamma
+
+    return Arc(index, _floor(np.full(index.shape, -21.0)), _ceil(last), nodes)
+
+
+def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array) -> Arc:
+    """Sliding contacts, as far as they matter.
+
+    Parameters
+    ----------
+    geometry : Geometry
+        Of all elements.
+    wide : (n,) array of bool
+        The elements to take.
+    low, high : (n,) array
+        Range of log(tan(beta)) that matters [-].
+
+    Returns
+    -------
+    Arc
+        Their nodes.
+    """
+    from granular.generated.mohr_circle_array import between_node
+
+    first = np.maximum(np.log(np.maximum(geometry.pole, 1 / FARTHEST)), low)
+    last = np.minimum(np.log(np.minimum(geometry.equator, FARTHEST)), high)
+    index = np.flatnonzero(wide & (first < last))
+    center = np.exp((first[index] + last[index]) / 2)
+    rho = np.sinh((last[index] - first[index]) / 4)
+    reach = np.maximum(rho, 1.0)
+    far = np.log(reach) + 21.5
+
+    def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
+        sine, cosine = _hyperbolic(numbers)
+        growth, rate = between_node(sine, cosine, rho[block, None], reach[block, None])
+        t = _around(center[block, None], growth, numbers)
+        return t, rate * STEP, np.zeros_like(t), np.ones_like(t)
+
+    return Arc(index, _floor(-far), _ceil(far), nodes)
+
+
+def _around(center: Array, growth: Array, numbers: Index) -> Array:
+    """Return tan(beta) on either side of a center."""
+    return np.where(numbers >= 0, center * growth, center / growth)
+
+
+def _floor(value: Array) -> Index:
+    return np.floor(value * STEPS - 0.5).astype(np.intp)
+
+
+def _ceil(value: Array) -> Index:
+    return np.ceil(value * STEPS - 0.5).astype(np.intp)
+
+
+@lru_cache(maxsize=1)
+def _tables() -> tuple[Array, Array, Array]:
+    """Tabulate exp, sinh and cosh of (j + 1/2) step for j = -n ... n - 1."""
+    upper = np.array(exponentials())
+    grown = np.concatenate([1 / upper[::-1], upper])
+    angle = (np.arange(upper.size) + 0.5) / STEPS
+    sine = np.where(upper < 3, np.sinh(np.minimum(angle, 2.0)), (upper - 1 / upper) / 2)
+    cosine = (upper + 1 / upper) / 2
+    return grown, np.concatenate([-sine[::-1], sine]), np.concatenate([cosine[::-1], cosine])
+
+
+def _exponentials(numbers: Index) -> Array:
+    return _tables()[0][numbers + LONGEST * STEPS]
+
+
+def _hyperbolic(numbers: Index) -> tuple[Array, Array]:
+    _, sine, cosine = _tables()
+    return sine[numbers + LONGEST * STEPS], cosine[numbers + LONGEST * STEPS]
+
+
+def directions(t: Array, measure: Array) -> tuple[Array, Array, Array]:
+    """Turn tan(beta) and d(log tan(beta)) into squared sine, squared cosine and dx.
+
+    Parameters
+    ----------
+    t, measure : (...) array
+        tan(beta) and d(log tan(beta)) [-].
+
+    Returns
+    -------
+    tuple of 3 array, (...)
+        s, x^2 and dx = s x d(log tan(beta)) [-].
+    """
+    flat = t <= 1
+    with np.errstate(divide="ignore", under="ignore"):
+        small = np.where(flat, t, 1 / np.maximum(t, 1.0))
+        square = small * small
+        whole = 1 / (1 + square)
+        part = square * whole
+        root = np.where(flat, 1.0, small) * np.sqrt(whole)
+        s = np.where(flat, part, whole)
+        return s, np.where(flat, whole, part), measure * s * root

@@ -1,0 +1,132 @@
+"""The rule in the logarithm of tan(beta) where one principal stress is a tension and contacts have opened.
+
+The coordinate is u = tan(beta), or its inverse, so that contacts are closed for u > u0. There the normal force is
+b (u - u0)(u + u0)/(1 + u^2), and with friction contacts slide from u0 to u1 and stick beyond. Distances from u0 are
+formed without subtraction, so that the rules stay good however close u1 comes to u0.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from decimal import Decimal, localcontext
+from fractions import Fraction
+from math import cbrt, sqrt
+
+from granular.routes.log_tangent import STEP, _exponential, _half_sinh, _hyperbolic, _range
+from granular.routes.slip_geometry import _DIGITS, _decimal
+
+Opened = tuple[float, float, float, float, float]
+"""u, measure d(sigma), chi, gamma, and the normal force times (1 + u^2)/b [-]."""
+
+
+@dataclass(frozen=True, slots=True)
+class OpenedRange:
+    """Where contacts are open, slide and stick.
+
+    Attributes
+    ----------
+    edge : float
+        u0: contacts are open below it [-].
+    slip_edge : float
+        u1: contacts slide between u0 and u1 [-]; u0 itself without friction data.
+    gap : float
+        u1 - u0 [-], without cancellation.
+    rate : float
+        \\|c - a\\|/(mu b) [-]; 0 without friction data.
+    """
+
+    edge: float
+    slip_edge: float
+    gap: float
+    rate: float
+
+
+def opened_range(pressed: Fraction, pulled: Fraction, friction: float | None) -> OpenedRange:
+    """Find where contacts are open, slide and stick.
+
+    Parameters
+    ----------
+    pressed, pulled : Fraction
+        Coefficient of the normal force in the direction that is compressed, > 0, and in the other one, < 0 [-].
+    friction : float or None
+        mu [-], > 0; None for contacts that never slip.
+
+    Returns
+    -------
+    OpenedRange
+        Rounded once from 50 digits.
+
+    Notes
+    -----
+    Source: roots of b u^2 - \\|b'\\| and of b u^2 - (\\|c - a\\|/mu) u - \\|b'\\|, eqs (21) and (23).
+
+    Examples
+    --------
+    >>> opened_range(Fraction(1), Fraction(-1, 4), None).edge
+    0.5
+    """
+    with localcontext(_DIGITS):
+        edge = _decimal(-pulled / pressed).sqrt()
+        if friction is None:
+            return OpenedRange(float(edge), float(edge), 0.0, 0.0)
+        half = min(_decimal((pressed - pulled) / (2 * pressed * Fraction(friction))), Decimal(2) ** 450)
+        root = (half * half + edge * edge).sqrt()
+        gap = half + half * half / (root + edge)
+        return OpenedRange(float(edge), float(edge + gap), float(gap), float(2 * half))
+
+
+def closed_contacts(where: OpenedRange, end: float) -> Iterator[Opened]:
+    """Nodes over the contacts that are closed, the sliding ones included.
+
+    Parameters
+    ----------
+    where : OpenedRange
+        From :func:`opened_range`.
+    end : float
+        log(u) up to which directions matter [-].
+
+    Yields
+    ------
+    Opened
+        u, measure, chi, gamma, force [-].
+    """
+    yield from _sticking(where, end)
+    if where.gap > 0:
+        yield from _sliding(where)
+
+
+def _sticking(where: OpenedRange, end: float) -> Iterator[Opened]:
+    """Sticking contacts by u = u1 (1 + e^w)^2, analytic up to Im(w) = pi/4, zeros of force and slip on Im(w) = pi."""
+    u0, u1 = where.edge, where.slip_edge
+    farthest = max(end, math.log(u1) + 41.0)
+    narrow = math.log(where.gap / u1) if 0 < where.gap < u1 else 0.0
+    for j in _range(narrow - 42.0, (farthest - math.log(u1)) / 2):
+        grown = _exponential(j)
+        beyond = u1 * grown * (2 + grown)
+        u = u1 + beyond
+        above = beyond + where.gap
+        force = above * (u + u0)
+        left = beyond * (u + u0 * u0 / u1)
+        chi = cbrt(left / force) if where.gap else 1.0
+        yield u, 2 * STEP * grown / (1 + grown), chi, where.rate * u / force / (1 + chi + chi * chi), force
+
+
+def _sliding(where: OpenedRange) -> Iterator[Opened]:
+    """From u0 to u1, by the map of a sliding range; the distance from u0 is formed from that of the mapped ends."""
+    u0 = where.edge
+    width = math.log1p(where.gap / u0) / 2  # sigma reaches from -width to width
+    rho = _half_sinh(width)
+    across = sqrt(1 + rho * rho)
+    reach = max(rho, 1.0)
+    far = math.log(reach) + 31.0
+    for j in _range(-far, far):
+        sine, cosine = _hyperbolic(j)
+        under = sqrt(reach * reach + sine * sine)
+        q = rho * sine / under
+        root = sqrt(1 + q * q)
+        half = (q * across + rho * root if q > 0 else (rho * reach / under) ** 2 / (rho * root - q * across))
+        above = u0 * 2 * half * (half + sqrt(1 + half * half))
+        u = u0 + above
+        yield u, 2 * STEP * rho * cosine / root * (reach / under) ** 2 / under, 0.0, 1.0, above * (u + u0)
