@@ -21,9 +21,11 @@ from granular.figures.book import (
     figure_7,
     figure_8,
     figure_9,
+    hard_cases,
     hypotheses,
     mohr,
     mohr_interactive,
+    slip_onset,
     table_ii_waves,
 )
 
@@ -33,7 +35,8 @@ if TYPE_CHECKING:
     from granular.scene import Scene
 
 __all__ = ["SCENE_FIGURES", "SceneFigure", "admissible_region", "figure_5", "figure_5_interactive", "figure_6",
-           "figure_7", "figure_8", "figure_9", "hypotheses", "mohr", "mohr_interactive", "save", "table_ii_waves"]
+           "figure_7", "figure_8", "figure_9", "hard_cases", "hypotheses", "mohr", "mohr_interactive", "save",
+           "slip_onset", "table_ii_waves"]
 
 
 @dataclass(frozen=True, slots=True)

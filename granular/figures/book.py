@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from granular.figures.hard_case_plot import Compared
     from granular.figures.page import Interactive, Static
 
 
@@ -207,3 +211,49 @@ def mohr_interactive() -> Interactive:
     from granular.figures.page import Interactive
 
     return Interactive(make(), "mohr")
+
+
+def slip_onset() -> Static:
+    """Draw both shear components and their slopes through the onset of sliding.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: eqs (20)-(23).
+    """
+    from granular.figures.page import Static
+    from granular.figures.slip_stiffness import slip_onset as draw
+
+    return Static(draw())
+
+
+def hard_cases(cases: Sequence[Compared] | None = None) -> Static:
+    """Compare the errors of naive formulas with those of this library.
+
+    Parameters
+    ----------
+    cases : sequence of Compared, optional
+        Name, label of the naive formula and both errors of each; by default the named corpus, computed anew.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: the corpus of hard cases.
+    """
+    from granular.figures.hard_case_plot import hard_cases as draw
+    from granular.figures.page import Static
+
+    return Static(draw(_named_corpus() if cases is None else cases))
+
+
+def _named_corpus() -> Sequence[Compared]:
+    corpus: Sequence[Compared] = import_module("granular.checks.hard_cases").comparison()
+    return corpus

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
 import matplotlib as mpl
 import numpy as np
@@ -30,12 +31,14 @@ from granular.figures import files, look
 from granular.figures.by_direction import by_direction
 from granular.figures.contacts import contacts_figure, forces_figure
 from granular.figures.fabric import fabric_figure
+from granular.figures.hard_case_plot import hard_cases
 from granular.figures.mohr_circle import mohr
 from granular.figures.page import Interactive, Static
 from granular.figures.paper_figure_5 import SLIDER, figure_5, figure_5_interactive
 from granular.figures.paper_figure_6 import figure_6
 from granular.figures.paper_figure_7_9 import draw as figure_7_to_9
 from granular.figures.region import admissible_region
+from granular.figures.slip_stiffness import slip_onset
 from granular.figures.stiffness import stiffness_figure
 from granular.figures.surfaces import TO_TURN, surface
 from granular.figures.two_hypotheses import hypotheses
@@ -53,10 +56,14 @@ ISOTROPIC = Stiffness.transversely_isotropic(3e8, 3e8, 1e8, 1e8, 1e8, 1e8)
 MAGIC = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".html": b"<!doctype html>"}
 STICKING, SLIDING, OPENED = (by_direction(AxialFabric(0.3, 0.0, -0.3), loading, poisson_ratio=0.21) for loading in (
     Loading.of_ratio(1.0), Loading.of_ratio(2.5, friction=0.2), Loading.of_ratio(-0.3, friction=0.2)))
+HARD = [SimpleNamespace(name=name, naive_label="a formula of the textbook", naive_error=naive, stable_error=stable)
+        for name, naive, stable in (("a case with a name so long that it has to be broken", np.inf, 2e-16),
+                                    ("no number", np.nan, 0.0), ("far off", 4e7, 1e-16), ("lost", 1e-3, 1.0))]
 DRAWN = {
     "figure 5": figure_5, "figure 6": figure_6, "region": admissible_region, "table II waves": table_ii_waves,
     "against Dr33": hypotheses, "against D33": lambda: hypotheses("D33"),
     **{f"figure {number}": partial(figure_7_to_9, number) for number in (7, 8, 9)}, "mohr": mohr,
+    "slip onset": slip_onset, "hard cases": lambda: hard_cases(HARD),
     "fabric": lambda: fabric_figure(AxialFabric(0.3, 0.1, -0.6)),
     "tall fabric": lambda: fabric_figure(AxialFabric(2.0, 0.0, 1.9)),
     "flat fabric": lambda: fabric_figure(AxialFabric(-1.0, 0.0, -0.99)),
