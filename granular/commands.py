@@ -91,8 +91,16 @@ def plot(
 @app.command()
 def check(
     out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write all comparisons as JSON.")] = None,
+    random: Annotated[int | None, typer.Option(
+        "--random", metavar="N", min=1, help="Instead, search N random inputs with contact forces for the worst "
+                                             "error against ball arithmetic.")] = None,
+    seed: Annotated[int, typer.Option("--seed", metavar="S", help="Start of the random inputs.")] = 1999,
 ) -> None:
     """Numerics against symbolic limits, quadrature and certified values; exit code 1 on any miss."""
+    if random is not None:
+        from granular.checks.search import run_search
+
+        raise typer.Exit(run_search(random, seed=seed, json_out=out))
     from granular.checks import run_checks
 
     raise typer.Exit(run_checks(json_out=out))

@@ -111,6 +111,51 @@ def worst_component(computed: Sequence[float], known: Sequence[Fraction]) -> tup
     return name, error
 
 
+def worst_relative(computed: Sequence[float], known: Sequence[Fraction]) -> tuple[str, float, float]:
+    """Find the component whose error is largest relative to itself.
+
+    Parameters
+    ----------
+    computed : sequence of 6 float
+        C1111, C3333, C1122, C1133, C2323, C1212 as a route gave them [-].
+    known : sequence of 6 Fraction
+        The same, exact or certified [-].
+
+    Returns
+    -------
+    name : str
+        Which component.
+    error : float
+        ``|value - known| / |known|`` [-]; infinite for a wrong zero and for what is not finite.
+    units : float
+        Units in the last place of the known value for a relative error of 1 [ulp], 2**52 to 2**53.
+
+    Notes
+    -----
+    Accuracy: the quotients are formed in fractions and rounded once. Source: the definition.
+
+    Examples
+    --------
+    >>> worst_relative([1.0, 1.0, 1.0, 1.0, 1.0, 1 + 2**-51], [Fraction(1)] * 6)
+    ('C1212', 4.440892098500626e-16, 4503599627370496.0)
+    """
+    error, name, units = max((_relative(value, exact), name, _units(exact))
+                             for value, exact, name in zip(computed, known, COMPONENTS, strict=True))
+    return name, error, units
+
+
+def _relative(value: float, known: Fraction) -> float:
+    if not math.isfinite(value):
+        return math.inf
+    if known == 0:
+        return 0.0 if value == 0 else math.inf
+    return float(abs(Fraction(value) - known) / abs(known))
+
+
+def _units(known: Fraction) -> float:
+    return float(abs(known) / Fraction(math.ulp(float(abs(known))))) if known else 2.0**52
+
+
 def gap_in_ulp(terms: Sequence[tuple[int, float]], known_sum: Fraction = Fraction(0)) -> float:
     """Count how far an identity between rounded numbers is from being met.
 

@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterator
 
 from granular.checks.comparison import Comparison
 from granular.checks.limit_comparisons import limit_comparisons
-from granular.checks.sample import sample_comparisons
+from granular.checks.on_the_fly import loaded_comparisons, sample_comparisons
 from granular.checks.stored import stored_comparisons
 
 SOURCES: dict[str, Callable[[], Iterator[Comparison]]] = {
     "stored certified cases": stored_comparisons,
     "symbolic limits": limit_comparisons,
     "random admissible fabrics, certified on the fly": sample_comparisons,
+    "random contact forces, certified on the fly": loaded_comparisons,
 }
 """What is compared with what, in the order in which it is shown."""
 
@@ -28,7 +29,7 @@ def table(*, started: Callable[[str], None] | None = None) -> list[Comparison]:
     Returns
     -------
     list of Comparison
-        Stored cases, then limits, then random fabrics. Without python-flint the last part is empty.
+        Stored cases, then limits, then random inputs. Without python-flint the last parts are empty.
 
     Notes
     -----

@@ -1,4 +1,4 @@
-"""Random admissible fabrics, with much weight on the boundary, against ball arithmetic on the fly."""
+"""Random admissible fabrics, with much weight on the boundary."""
 
 from __future__ import annotations
 
@@ -6,12 +6,8 @@ import math
 import random
 from collections.abc import Iterator
 
-from granular.checks.comparison import Comparison, worst_component
-from granular.checks.voices import allowed_units, attempt, voices
 from granular.errors import FabricOutOfRange
 from granular.fabric import AxialFabric
-from granular.hypothesis import Hypothesis
-from granular.routes import certified
 
 SHRINK = 1 - 2.0**-50
 """A fabric on the edge of its region leaves it by rounding; this factor on D33 and D3333 brings it back, because the
@@ -50,46 +46,6 @@ def admissible_sample(count: int, *, seed: int) -> Iterator[tuple[AxialFabric, f
         dr33 = min(max(_near_an_end(rng, -1.0, 2.0), math.nextafter(-1.0, 0.0)), math.nextafter(2.0, 0.0))
         nu = rng.choice((0.0, 0.5, math.exp2(rng.uniform(-60, -2)), *(rng.uniform(0, 0.5) for _ in range(3))))
         yield _inside(d33, d3333, dr33), nu
-
-
-def sample_comparisons(count: int = 60, *, seed: int = 1999) -> Iterator[Comparison]:
-    """Compare every route with ball arithmetic at random fabrics.
-
-    Parameters
-    ----------
-    count : int
-        How many fabrics [-].
-    seed : int
-        Start of the random numbers.
-
-    Returns
-    -------
-    iterator of Comparison
-        One for each fabric, hypothesis and route that serves it; none where python-flint is not installed.
-
-    Notes
-    -----
-    Accuracy: see :func:`granular.checks.voices.allowed_units`. Source: :func:`granular.routes.certified.enclose`.
-
-    Examples
-    --------
-    >>> all(comparison.agrees for comparison in sample_comparisons(3))
-    True
-    """
-    if not certified.available():
-        return
-    others = [voice for voice in voices() if voice is not certified]
-    for number, (fabric, nu) in enumerate(admissible_sample(count, seed=seed), start=1):
-        for hypothesis in Hypothesis:
-            enclosures = certified.enclose(fabric, poisson_ratio=nu, hypothesis=hypothesis)
-            known = [enclosure.midpoint for enclosure in enclosures]
-            for voice in others:
-                result = attempt(voice, fabric, nu, hypothesis)
-                if result is not None:
-                    component, error = worst_component(result.components, known)
-                    yield Comparison(group=f"random, rank {2 if fabric.D3333 == 0 else 4}", case=f"number {number}",
-                                     hypothesis=hypothesis, route=voice.NAME, component=component, error=error,
-                                     allowed=allowed_units(voice, result))
 
 
 def _near_an_end(rng: random.Random, low: float, high: float) -> float:

@@ -10,12 +10,23 @@ from functools import lru_cache
 from importlib.resources import files
 from typing import Any
 
-from granular.checks.comparison import Comparison, worst_component
-from granular.checks.voices import MOST_UNITS, allowed_units, attempt, voices
+from granular.checks.comparison import Comparison, worst_component, worst_relative
+from granular.checks.voices import (
+    MOST_ERROR,
+    MOST_UNITS,
+    ORDINARY_ERROR,
+    allowed_error,
+    allowed_units,
+    attempt,
+    voices,
+)
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.loading import Loading
 from granular.routes.result import COMPONENTS
+
+ORDINARY = frozenset({"paper", "isotropic", "interior"})
+"""Families with contact forces that are not hard."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,7 +132,8 @@ def stored_comparisons() -> Iterator[Comparison]:
 
     Notes
     -----
-    Accuracy: see :func:`granular.checks.voices.allowed_units`. Source: the stored cases.
+    Accuracy: see :func:`granular.checks.voices.allowed_units` and :func:`~granular.checks.voices.allowed_error`.
+    Source: the stored cases.
 
     Examples
     --------
@@ -129,13 +141,23 @@ def stored_comparisons() -> Iterator[Comparison]:
     True
     """
     usable = voices()
-    for case in stored_cases():
+    for case in (*stored_cases(), *kinetic_cases()):
+        group = case.family if case.loading is None else f"forces: {case.family}"
         for hypothesis, known in case.known.items():
             for voice in usable:
-                result = attempt(voice, case.fabric, case.poisson_ratio, hypothesis)
+                result = attempt(voice, case.fabric, case.poisson_ratio, hypothesis, case.loading)
                 if result is None:
                     continue
-                component, error = worst_component(result.components, known)
-                yield Comparison(group=case.family, case=case.name, hypothesis=hypothesis, route=voice.NAME,
-                                 component=component, error=error,
-                                 allowed=allowed_units(voice, result, aim=MOST_UNITS))
+                if case.loading is None:
+                    component, error = worst_component(result.components, known)
+                    allowed = allowed_units(voice, result, aim=MOST_UNITS)
+                else:
+                    component, relative, units = worst_relative(result.components, known)
+                    error, allowed = relative * units, allowed_error(voice, result, aim=_aim(case, hypothesis)) * units
+                yield Comparison(group=group, case=case.name, hypothesis=hypothesis, route=voice.NAME,
+                                 component=component, error=error, allowed=allowed)
+
+
+def _aim(case: CertifiedCase, hypothesis: Hypothesis) -> float:
+    ordinary = case.family in ORDINARY and hypothesis is Hypothesis.KINEMATIC
+    return ORDINARY_ERROR if ordinary else MOST_ERROR[hypothesis]

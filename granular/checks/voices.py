@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from typing import Protocol
 
-from granular.errors import RouteOutOfDomain
+from granular.errors import ComplianceInfinite, RouteOutOfDomain
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
+from granular.loading import Loading
 from granular.routes import axial, certified, closed_form, exact, sphere
 from granular.routes.result import RouteResult
 
@@ -16,7 +17,14 @@ UNIT = 2.0**-52
 
 MOST_UNITS = 4.0
 """Units in the last place that a component of a stored case or of a limit may be off by the closed form and the axial
-rule, whatever they declare [ulp]."""
+rule, whatever they declare, where all contacts are equally stiff [ulp]."""
+
+MOST_ERROR = {Hypothesis.KINEMATIC: 2e-15, Hypothesis.STATIC: 4e-15}
+"""Relative error of a component that counts as agreement of the same two routes with contact forces, however hard the
+inputs, whatever the routes declare [-]."""
+
+ORDINARY_ERROR = 1e-15
+"""The same for the kinematic hypothesis well inside the admissible region [-]."""
 
 
 class Voice(Protocol):
@@ -25,7 +33,7 @@ class Voice(Protocol):
     NAME: str
 
     def evaluate(self, fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
-                 rtol: float | None = None) -> RouteResult:
+                 loading: Loading | None = None, rtol: float | None = None) -> RouteResult:
         """Compute the six components."""
 
 
@@ -43,8 +51,9 @@ def voices() -> tuple[Voice, ...]:
     return tuple(voice for voice in ALL if voice is not certified or certified.available())
 
 
-def attempt(voice: Voice, fabric: AxialFabric, poisson_ratio: float, hypothesis: Hypothesis) -> RouteResult | None:
-    """Evaluate by a route, or say that it does not serve the fabric.
+def attempt(voice: Voice, fabric: AxialFabric, poisson_ratio: float, hypothesis: Hypothesis,
+            loading: Loading | None = None) -> RouteResult | None:
+    """Evaluate by a route, or say that it does not serve the fabric and the loading.
 
     Parameters
     ----------
@@ -56,11 +65,13 @@ def attempt(voice: Voice, fabric: AxialFabric, poisson_ratio: float, hypothesis:
         Poisson's ratio of the grain material [-].
     hypothesis : Hypothesis
         Kinematic or static.
+    loading : Loading or None
+        Stress and friction; None for contacts that all have the same stiffness.
 
     Returns
     -------
     RouteResult or None
-        None where the route refuses the fabric.
+        None where the route refuses the fabric or the loading, or where the compliance is infinite.
 
     Notes
     -----
@@ -72,9 +83,38 @@ def attempt(voice: Voice, fabric: AxialFabric, poisson_ratio: float, hypothesis:
     True
     """
     try:
-        return voice.evaluate(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis)
-    except RouteOutOfDomain:
+        return voice.evaluate(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, loading=loading)
+    except (RouteOutOfDomain, ComplianceInfinite):
         return None
+
+
+def allowed_error(voice: Voice, result: RouteResult, *, aim: float) -> float:
+    """Relative error that a component of a result with contact forces may have.
+
+    Parameters
+    ----------
+    voice : Voice
+        The route that gave the result.
+    result : RouteResult
+        What it gave.
+    aim : float
+        Bound for the two routes that a plan chooses by itself, where it is lower than what they declare [-].
+
+    Returns
+    -------
+    float
+        What the route declares, or the aim [-].
+
+    Notes
+    -----
+    Accuracy and source: the route's declaration, and the aim of this package.
+
+    Examples
+    --------
+    >>> allowed_error(axial, RouteResult((1.0,) * 6, 2**-40, 0), aim=2e-15)
+    2e-15
+    """
+    return min(result.relative_error, aim) if voice in (closed_form, axial) else result.relative_error
 
 
 def allowed_units(voice: Voice, result: RouteResult, *, aim: float = math.inf) -> float:

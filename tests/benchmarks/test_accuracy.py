@@ -6,7 +6,7 @@ from collections import defaultdict
 
 import pytest
 
-from granular.checks.sample import sample_comparisons
+from granular.checks.on_the_fly import sample_comparisons
 
 pytestmark = pytest.mark.benchmark
 

@@ -8,7 +8,8 @@ import pytest
 import quadpy
 
 from granular.checks.comparison import Comparison, worst_component
-from granular.checks.sample import admissible_sample, sample_comparisons
+from granular.checks.on_the_fly import sample_comparisons
+from granular.checks.sample import admissible_sample
 from granular.checks.stored import CertifiedCase, stored_cases, stored_comparisons
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
