@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from granular.contact_law import stiffness_ratio
@@ -43,12 +42,7 @@ def loading_of(scene: Scene) -> Loading:
     -----
     Source: the scene file's interface.
     """
-    from granular.loading import Loading
-
-    sigma11, sigma33 = scene.stress.principal
-    grains = scene.grains
-    friction = grains.friction_coefficient if grains.friction_angle is None else math.tan(grains.friction_angle)
-    return Loading(sigma11=sigma11, sigma33=sigma33, friction=friction)
+    return scene.stress.loading(scene.grains.friction)
 
 
 def contacts_of(scene: Scene) -> ByDirection:
