@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from granular.checks.comparison import Comparison
+from granular.checks.force_limit_comparisons import force_limit_comparisons
 from granular.checks.limit_comparisons import limit_comparisons
 from granular.checks.on_the_fly import loaded_comparisons, sample_comparisons
 from granular.checks.stored import stored_comparisons
@@ -12,6 +13,7 @@ from granular.checks.stored import stored_comparisons
 SOURCES: dict[str, Callable[[], Iterator[Comparison]]] = {
     "stored certified cases": stored_comparisons,
     "symbolic limits": limit_comparisons,
+    "limits with contact forces": force_limit_comparisons,
     "random admissible fabrics, certified on the fly": sample_comparisons,
     "random contact forces, certified on the fly": loaded_comparisons,
 }
