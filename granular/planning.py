@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -179,6 +180,10 @@ def _require_accuracy(route: Route, promise: Promise, rtol: float | None) -> Non
     wanted = route_accuracy(rtol)
     if wanted is None or wanted >= promise.relative_error:
         return
+    if math.isinf(promise.relative_error):
+        raise RouteOutOfDomain(f"rtol = {rtol!r} by route {route.name}",
+                               allowed=f"allowed no rtol there, because {route.title}, promises no accuracy",
+                               remedy=f"Leave rtol out, or use route {AUTO[-1]}.")
     closest = f"{(promise.relative_error + SCALING_ERROR) * 1.005:.2e}"  # rounded up, so that it will be granted
     better = "" if route.name == MOST_ACCURATE else f", or use route {MOST_ACCURATE}"
     raise RouteOutOfDomain(f"rtol = {rtol!r} by route {route.name}",

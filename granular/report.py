@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -49,7 +50,7 @@ def evaluation_as_json(result: Evaluation) -> dict[str, Any]:
     """
     content: dict[str, Any] = {
         "stiffness": {**result.stiffness.components, "mandel": [list(row) for row in result.stiffness.rows]},
-        "relative_error": result.relative_error,
+        "relative_error": _finite(result.relative_error),
         "reference_stiffness": result.reference_stiffness,
         "hypothesis": str(result.hypothesis),
         "route": result.route,
@@ -70,6 +71,15 @@ def _waves_as_json(waves: Waves) -> dict[str, Any]:
     thomsen = waves.thomsen
     return {"density": waves.density, "vertical": speeds(waves.vertical), "horizontal": speeds(waves.horizontal),
             "thomsen": {"epsilon": thomsen.epsilon, "gamma": thomsen.gamma, "delta": thomsen.delta}}
+
+
+def _finite(bound: float) -> float | None:
+    """A bound as JSON takes it; None where a route promises none."""
+    return None if math.isinf(bound) else bound
+
+
+def _bound(bound: float) -> str:
+    return "none is promised by this route" if math.isinf(bound) else f"{bound:.2g} of each component"
 
 
 def plan_as_json(decided: Plan) -> dict[str, Any]:
@@ -94,7 +104,7 @@ def plan_as_json(decided: Plan) -> dict[str, Any]:
         "route": decided.route,
         "route_reason": decided.route_reason,
         "evaluations": decided.evaluations,
-        "relative_error": decided.relative_error,
+        "relative_error": _finite(decided.relative_error),
         "rtol": decided.rtol,
         "effects": {"simulated": list(decided.effects_simulated), "called_for": decided.called_for,
                     "not_called_for": decided.effects_not_called_for},
@@ -129,7 +139,7 @@ def evaluation_as_text(result: Evaluation) -> list[RenderableType]:
     if (waves := result.waves) is not None:
         blocks += [_title(f"Waves in the dry assembly, {waves.density:.6g} kg/m^3"), _wave_table(waves), ""]
     blocks += [_title("How it was computed"), _facts({
-        "error bound": f"{result.relative_error:.2g} of each component",
+        "error bound": _bound(result.relative_error),
         "route": f"{result.route} ({result.evaluations} evaluations of the integrand)",
         "unit": f"(M/V) l_e^2 k_n,ref = {_pressure(result.reference_stiffness)}",
         "contacts": f"{result.contacts_per_volume:.7g} per (2 r_e)^3, the cube of one grain diameter",
@@ -159,7 +169,7 @@ def plan_as_text(decided: Plan) -> list[RenderableType]:
         "hypothesis": f"{decided.hypothesis} ({BOUND[decided.hypothesis]})",
         "route": f"{decided.route}: {decided.route_reason}",
         "cost": f"{decided.evaluations} evaluations of the integrand",
-        "error bound": f"{decided.relative_error:.2g} of each component"
+        "error bound": _bound(decided.relative_error)
                        + ("" if decided.rtol is None else f", wanted {decided.rtol:.2g}"),
         **_effects(decided),
     })]

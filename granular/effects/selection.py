@@ -124,7 +124,7 @@ def _require_built(wanted: list[Effect], called: dict[str, Called], *, by_list: 
     if by_list:
         raise EffectNotBuilt(f"model.effects lists {names}", allowed=allowed, remedy=f"Take {them} off: {without}.")
     why = "; ".join(f"{effect.name}: {called[effect.name].reason}" for effect in missing)
-    keep = ", ".join(f'"{name}"' for name in built)
+    keep = ", ".join(f'"{effect.name}"' for effect in wanted if effect.built)
     raise EffectNotBuilt(f"the scene calls for {names} ({why})", allowed=allowed,
                          remedy=f"Write effects = [{keep}] under [model] to leave {them} out: {without}.")
 

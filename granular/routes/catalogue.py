@@ -23,7 +23,7 @@ class Promise:
     Attributes
     ----------
     relative_error : float
-        Bound for the worst component, relative to that component [-].
+        Bound for the worst component, relative to that component [-]; infinite where none is promised.
     evaluations : int
         Directions in which the integrand would be evaluated [-].
     """
@@ -133,12 +133,20 @@ def _certified(_fabric: AxialFabric, _hypothesis: Hypothesis, _loading: Loading 
     return Promise(HALF_ULP, 0)
 
 
+def _midpoint(_fabric: AxialFabric, _hypothesis: Hypothesis, _loading: Loading | None,
+              _rtol: float | None) -> Promise:
+    from granular.routes.midpoint import PRINTED_PANELS
+
+    return Promise(math.inf, PRINTED_PANELS)
+
+
 CATALOGUE: tuple[Route, ...] = (
     Route(name="closed_form", title="the emitted closed form", promise=_closed_form),
     Route(name="axial", title="a rule along the meridian", promise=_axial),
     Route(name="sphere", title="a Lebedev rule over the sphere", promise=_sphere),
     Route(name="exact", title="the closed form in rational numbers", promise=_exact),
     Route(name="certified", title="ball arithmetic, every digit proved", promise=_certified),
+    Route(name="midpoint", title="the historical rule of the printed tables, 24 panels", promise=_midpoint),
 )
 """Every route."""
 

@@ -74,7 +74,7 @@ def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Ar
     geometry : Geometry
         Of all elements.
     narrow : (n,) array of bool
-        The elements to take.
+        The elements to take [-].
     low, high : (n,) array
         Range of log(tan(beta)) that matters [-].
     smallest : float
@@ -111,7 +111,7 @@ def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array,
     geometry : Geometry
         Of all elements.
     wide : (n,) array of bool
-        The elements to take.
+        The elements to take [-].
     low, high : (n,) array
         Range of log(tan(beta)) that matters [-].
     rho : (n,) array
@@ -152,7 +152,7 @@ def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array
     geometry : Geometry
         Of all elements.
     wide : (n,) array of bool
-        The elements to take.
+        The elements to take [-].
     low, high : (n,) array
         Range of log(tan(beta)) that matters [-].
 

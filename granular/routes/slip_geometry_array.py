@@ -140,7 +140,7 @@ def equal_forces(D33: Array, stress_ratio: Array) -> NDArray[np.bool_]:
     Returns
     -------
     (n,) array of bool
-        Where 5 (SR - 1) = D33 (SR + 2).
+        Where 5 (SR - 1) = D33 (SR + 2) [-].
 
     Notes
     -----
@@ -167,7 +167,7 @@ def slides(D33: Array, stress_ratio: Array, friction: Array) -> NDArray[np.bool_
     Returns
     -------
     (n,) array of bool
-        False at exact tangency; True without friction.
+        False at exact tangency; True without friction [-].
 
     Notes
     -----

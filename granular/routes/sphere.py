@@ -173,6 +173,8 @@ def _force_approximation(fabric: AxialFabric, loading: Loading, order: int) -> f
     w = abs(c - a) / (c + a)
     if w == 0:
         return 0.0
+    if w == 1:  # to rounding: the singularity is at the end of the interval
+        return math.inf
     grown = (1 + math.sqrt((1 - w) * (1 + w))) / w
     if order * math.log(grown) > 300:
         return 0.0

@@ -12,7 +12,7 @@ import granular
 from granular.array_stiffness import BLOCK, RELATIVE_ERROR
 from granular.errors import (
     ArrayNotUsable,
-    EffectNotBuilt,
+    ComplianceInfinite,
     FabricOutOfRange,
     RouteOutOfDomain,
     UnknownChoice,
@@ -150,13 +150,31 @@ def test_kinetic_is_answered_where_all_contacts_carry_the_same():
     assert granular.axial_stiffness(0.0, -0.3).shape == (6,)
 
 
-@pytest.mark.parametrize(("d", "ratio"), [(0.3, 1.0), (0.0, 1.5), (5e-324, 1.0), (0.0, math.nextafter(1, 2)),
-                                          (0.3, 5.6 / 4.7)])
-def test_kinetic_is_refused_elsewhere(d, ratio):
+@pytest.mark.parametrize(("d", "ratio"), [(0.3, 1.0), (0.0, 1.5), (0.0, math.nextafter(1, 2)), (0.3, 5.6 / 4.7)])
+def test_forces_are_felt_elsewhere(d, ratio):
     # an answer with equal contact stiffness where the stress or the fabric makes forces differ, however little
-    with pytest.raises(EffectNotBuilt, match="kinetic=False"):
-        granular.axial_stiffness([0.0, d], 0.0, [1.0, ratio])
-    assert granular.axial_stiffness([0.0, d], 0.0, [1.0, ratio], kinetic=False).shape == (2, 6)
+    felt = granular.axial_stiffness([0.0, d], 0.0, [1.0, ratio], poisson_ratio=0.0, friction_coefficient=0.5)
+    equal = granular.axial_stiffness([0.0, d], 0.0, [1.0, ratio], poisson_ratio=0.0, kinetic=False)
+    np.testing.assert_array_equal(felt[0], equal[0])
+    assert (equal[1, 2:4] == 0).all()  # nu = 0: only slip can make C1122 and C1133
+    assert (felt[1, 2:4] > 0).all()
+
+
+def test_no_shear_stiffness_without_friction():
+    # friction of zero taken for none given: every contact slides, and the Cauchy relations hold
+    c1111, c3333, c1122, c1133, c2323, c1212 = granular.axial_stiffness([0.3, 0.0], 0.2, [2.0, 1.0], 0.0).T
+    np.testing.assert_allclose(c1133, c2323, rtol=1e-15)
+    np.testing.assert_allclose(c1122, c1212, rtol=1e-15)
+    assert (c1111 > 0).all()
+    assert (c3333 > 0).all()
+
+
+def test_static_with_sliding_contacts_names_the_element():
+    # an infinite compliance inverted into zeros, or an error that does not say where
+    ratios = np.array([1.0, 1.2, 4.0, 9.0])
+    with pytest.raises(ComplianceInfinite, match="stress ratio 4.*element 2 of 4"):
+        granular.axial_stiffness(0.0, 0.0, ratios, 0.2, hypothesis="static")
+    assert np.isfinite(granular.axial_stiffness(0.0, 0.0, [1.0, 4.0], [0.2, 0.75], hypothesis="static")).all()
 
 
 @pytest.mark.parametrize(("arguments", "kind", "message"), [

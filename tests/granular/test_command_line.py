@@ -205,8 +205,13 @@ BAD_SCENES = [
     ("truth value", "0.5744", "true", "WrongType", ["packing.void_ratio = true"]),
     ("unicode minus", "28 kPa", "−28 kPa", "QuantityUnreadable", ["stress.mean"]),
     ("empty string", '"28 kPa"', '""', "QuantityUnreadable", ["stress.mean"]),
-    ("kinetic fabric", 'mean = "28 kPa"', 'mean = "28 kPa"\nratio = 1.5', "EffectNotBuilt",
-     ["kinetic", 'effects = ["packing", "branches"]']),
+    ("grain shape", 'mean = "28 kPa"', 'mean = "28 kPa"\nratio = 1.5\n[shape]\naspect_ratio = 0.8', "EffectNotBuilt",
+     ["deviation", '"kinetic"]']),
+    ("static and sliding", "poisson_ratio = 0.21\n",
+     'poisson_ratio = 0.21\nfriction_angle = "3 deg"\n[model]\nhypothesis = "static"\n', "ComplianceInfinite",
+     ["infinite", "slip out", "stress ratio 1"]),
+    ("slip without friction", 'mean = "28 kPa"', 'mean = "28 kPa"\n[model]\neffects = ["kinetic", "slip"]',
+     "MissingKey", ["friction_angle"]),
     ("accuracy", 'mean = "28 kPa"', 'mean = "28 kPa"\n[model]\nrtol = 1e-30', "RouteOutOfDomain", ["rtol = 1e-30"]),
 ]
 

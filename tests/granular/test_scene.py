@@ -231,8 +231,11 @@ WRONG = [
      ["axis 3"]),
     ("stress with shear", changed(stress={"tensor": [[1, 0, 0.1], [0, 1, 0], [0.1, 0, 1]]}), "SymmetryNotBuilt",
      ["stress.tensor"]),
-    ("tension", changed(stress={"tensor": diagonal(1, 1, -1)}), "ValueOutOfRange", ["t33 = -1.0", "compression"]),
-    ("no stress", changed(stress={"tensor": diagonal(0, 0, 0)}), "ValueOutOfRange", ["mean"]),
+    ("only tension", changed(stress={"tensor": diagonal(-1, -1, -2)}), "StressNotCompressive",
+     ["t11 = -1.0", "t33 = -2.0", "some compression"]),
+    ("more tension than compression", changed(stress={"tensor": diagonal(1, 1, -3)}), "StressNotCompressive",
+     ["mean", "outweighs"]),
+    ("no stress", changed(stress={"tensor": diagonal(0, 0, 0)}), "StressNotCompressive", ["t11 = 0.0"]),
     ("no contacts by default", changed(packing__void_ratio=1.66), "ValueOutOfRange",
      ["packing.void_ratio = 1.66", "coordination_number"]),
     ("hypothesis", changed(model__hypothesis="Static"), "UnknownChoice", ["Static", "Did you mean static?"]),
@@ -340,8 +343,8 @@ def test_the_schema_refuses_what_structure_alone_shows():
     # Breaks when the schema is looser than it could be. What it cannot know: units, admissible fabrics, tensors,
     # values far inside Python, and what two keys of a gradation need.
     beyond = {"FabricOutOfRange", "UnitOfOtherDimension", "SymmetryNotBuilt", "NotFinite"}
-    unseen = {"not symmetric", "not traceless", "tension", "no stress", "no contacts by default", "bare degrees",
-              "lognormal without spread", "curve without file", "curve with an empty file", "curve with median",
+    unseen = {"not symmetric", "not traceless", "only tension", "more tension than compression", "no stress",
+              "no contacts by default", "bare degrees", "lognormal without spread", "curve without file", "curve with an empty file", "curve with median",
               "keys that are no text", "text in a tensor", "control characters"}
     validator = jsonschema.Draft202012Validator(Scene.json_schema())
     passed = [name for name, content, kind, _ in WRONG
