@@ -172,7 +172,7 @@ def test_no_shear_stiffness_without_friction():
 def test_static_with_sliding_contacts_names_the_element():
     # an infinite compliance inverted into zeros, or an error that does not say where
     ratios = np.array([1.0, 1.2, 4.0, 9.0])
-    with pytest.raises(ComplianceInfinite, match="stress ratio 4.*element 2 of 4"):
+    with pytest.raises(ComplianceInfinite, match=r"stress ratio 4.*element 2 of 4"):
         granular.axial_stiffness(0.0, 0.0, ratios, 0.2, hypothesis="static")
     assert np.isfinite(granular.axial_stiffness(0.0, 0.0, [1.0, 4.0], [0.2, 0.75], hypothesis="static")).all()
 

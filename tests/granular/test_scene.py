@@ -344,8 +344,9 @@ def test_the_schema_refuses_what_structure_alone_shows():
     # values far inside Python, and what two keys of a gradation need.
     beyond = {"FabricOutOfRange", "UnitOfOtherDimension", "SymmetryNotBuilt", "NotFinite"}
     unseen = {"not symmetric", "not traceless", "only tension", "more tension than compression", "no stress",
-              "no contacts by default", "bare degrees", "lognormal without spread", "curve without file", "curve with an empty file", "curve with median",
-              "keys that are no text", "text in a tensor", "control characters"}
+              "no contacts by default", "bare degrees", "lognormal without spread", "curve without file",
+              "curve with an empty file", "curve with median", "keys that are no text", "text in a tensor",
+              "control characters"}
     validator = jsonschema.Draft202012Validator(Scene.json_schema())
     passed = [name for name, content, kind, _ in WRONG
               if kind not in beyond and name not in unseen and validator.is_valid(content)]
