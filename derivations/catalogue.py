@@ -11,7 +11,9 @@ from derivations.forces import contact_forces
 from derivations.kinematic import kinematic_constant, kinematic_three
 from derivations.kinetic import kinetic
 from derivations.kinetic_components import kinetic_components
+from derivations.kinetic_limits import kinetic_limits
 from derivations.mohr import mohr_circle
+from derivations.partial_slip import partial_slip
 from derivations.record import Derivation
 from derivations.static import static_constant, static_three
 from derivations.waves import waves
@@ -27,6 +29,8 @@ CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     mohr_circle,
     kinetic_components,
     kinetic,
+    kinetic_limits,
+    partial_slip,
     isotropic,
     engineering,
     waves,

@@ -103,8 +103,8 @@ def _between_step() -> Step:
         "Map of the sliding range",
         r"The normal force alone is summed over the sliding range, from one end to the other. On the lines "
         r"$|\operatorname{Im}u| = \tfrac14\pi$, where $S^2 = -\tfrac12 + i\vartheta$, the real part of $\cosh\sigma$ "
-        r"stays positive when $R_1^2 > \rho_\kappa^2 + \tfrac12$. Being harmonic it is then positive in the whole strip "
-        "between them, and the singularities stay outside.",
+        r"stays positive when $R_1^2 > \rho_\kappa^2 + \tfrac12$. Being harmonic it is then positive in the whole "
+        "strip between them, and the singularities stay outside.",
         (r"\sinh\tfrac\sigma2 = \frac{\rho_\kappa S}{\sqrt{R_1^2 + S^2}},\qquad S = \sinh u,\qquad "
          r"\frac{\mathrm{d}\sigma}{\mathrm{d}u} = \frac{2\rho_\kappa R_1^2\cosh u}"
          r"{(R_1^2+S^2)^{3/2}\cosh\frac\sigma2}",
