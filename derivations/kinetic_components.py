@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derivations import contact, kinematic, static
@@ -191,6 +193,7 @@ def functions() -> tuple[Function, ...]:
     )
 
 
+@cache
 def kinetic_components() -> Derivation:
     """Derive stiffness and compliance from separate moments of the normal and the tangential contact stiffness."""
     n11, n33 = fabric_tensor()

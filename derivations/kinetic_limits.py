@@ -175,6 +175,9 @@ def _friction_steps() -> tuple[Step, ...]:
     near_pole = sp.limit(margin.subs(beta, mu * c * w / size), mu, 0)
     near_equator = sp.limit(margin.subs(beta, sp.pi / 2 - mu * a * w / size), mu, 0)
     scale = sp.Symbol("scale", positive=True)
+    rest = 1 - w
+    caps = ((-3 * rest ** (4 * THIRD) / 4, rest**THIRD),
+            (3 * rest ** (7 * THIRD) / 7 - 3 * rest ** (4 * THIRD) / 4, rest**THIRD - rest ** (4 * THIRD)))
     return (
         Step("Large friction",
              r"$k_n - k_r/\lambda_0$ falls with $1/\mu$, so the moments with slip approach those without from below.",
@@ -195,8 +198,9 @@ def _friction_steps() -> tuple[Step, ...]:
              (Claim(sp.expand(near_pole), sp.expand(c * (1 - w))),
               Claim(sp.expand(near_equator), sp.expand(a * (1 - w))),
               Claim(sp.limit(sp.sin(scale * w) / scale, scale, 0), w),
-              *(Claim(sp.integrate(w ** (2 * k) * (1 - w) ** THIRD, (w, 0, 1)), gammas(sp.beta(2 * k + 1, 4 * THIRD)))
-                for k in range(2)),
+              *(Claim(sp.expand(sp.diff(primitive, w)), sp.expand(integrand)) for primitive, integrand in caps),
+              *(Claim(primitive.subs(w, 1) - primitive.subs(w, 0), gammas(sp.beta(k, 4 * THIRD)))
+                for k, (primitive, _) in enumerate(caps, start=1)),
               Claim(gammas(sticking_at_equator(0)), sp.Rational(3, 4) * a**THIRD * mu * a / size),
               Claim(gammas(sticking_at_pole(6)), sp.Rational(9, 28) * c**THIRD * (mu * c / size) ** 2)), result=True),
         Step("Equal forces",

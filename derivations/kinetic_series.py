@@ -144,12 +144,17 @@ def _force_in_contrast() -> sp.Expr:
     return (1 - eta) ** 2 * s + (1 + eta) ** 2 * y
 
 
-def _direct_series(power: sp.Rational, m: int, order: int) -> sp.Expr:
-    """The first terms again without Gegenbauer polynomials: the binomial series of (1 + w)^q, w = O(eta)."""
+@cache
+def _binomial_series(power: sp.Rational, order: int) -> sp.Expr:
+    """The first terms of a power of the normal force over g^2, by the binomial series of (1 + w)^q with w = O(eta)."""
     w = sp.expand(_force_in_contrast().subs(s, 1 - y) - 1)
-    total = sum(sp.binomial(power, n) * w**n for n in range(order))
-    cut = sum(sp.expand(total).coeff(eta, n) * eta**n for n in range(order))
-    return sp.expand(axial_mean(cut * s ** (DEGREE[power] - m) * y**m))
+    total = sp.expand(sum(sp.binomial(power, n) * w**n for n in range(order)))
+    return sp.expand(sum(total.coeff(eta, n) * eta**n for n in range(order)))
+
+
+def _direct_series(power: sp.Rational, m: int, order: int) -> sp.Expr:
+    """The first terms of an integral again, without Gegenbauer polynomials."""
+    return sp.expand(axial_mean(_binomial_series(power, order) * s ** (DEGREE[power] - m) * y**m))
 
 
 def _terms(power: sp.Rational) -> str:
@@ -179,9 +184,7 @@ def series_steps() -> tuple[Step, ...]:
               r"A_m = g^{2/3}\,\Phi_m(\eta),\qquad \Phi_m = \sum_n \eta^n\int_0^1 s^{6-m}x^{2m}"
               r"C_n^{(-1/3)}(s-y)\,\mathrm{d}x",),
              (*(Claim(sp.expand(sum(eta**n * sp.gegenbauer(n, -power, s - y) for n in range(order)).subs(s, 1 - y)),
-                      sp.series((1 + sp.expand(_force_in_contrast().subs(s, 1 - y) - 1)) ** power,
-                                eta, 0, order).removeO().expand())
-                for power in (STIFF, SOFT)),
+                      _binomial_series(power, order)) for power in (STIFF, SOFT)),
               *(Claim(sum(factor * eta**n for n, factor in enumerate(coefficients(STIFF, m)[:order])),
                       _direct_series(STIFF, m, order)) for m in range(7)))),
         Step("Constant stiffness and the rest",
