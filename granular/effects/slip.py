@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from granular.effects.effect import Called, Effect
@@ -9,6 +10,8 @@ from granular.effects.kinetic import force_coefficients
 from granular.errors import MissingKey
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from granular.loading import Loading
     from granular.scene import Scene
 
@@ -21,9 +24,22 @@ def _called_for(scene: Scene) -> Called:
     equator, pole = force_coefficients(scene)
     if equator == pole:
         return Called(False, "no contact carries a shear force")
-    if scene.stress.loading(scene.grains.friction).slides(scene.fabric.D33):
-        return Called(True, "friction is given, and in some directions contacts slide")
-    return Called(True, "friction is given and contacts carry shear forces, though none slides")
+    where = _sliding_range(scene, equator, pole, scene.grains.friction)
+    return Called(True, f"friction is given and contacts carry shear forces{where}")
+
+
+def _sliding_range(scene: Scene, equator: Fraction, pole: Fraction, friction: float) -> str:
+    """Say between which angles from axis 3 contacts slide."""
+    from granular.routes.slip_geometry import Sticking, slip_geometry
+
+    if scene.stress.loading(friction).opens():
+        return "; they slide next to those that have opened"
+    geometry = slip_geometry(equator, pole, friction)
+    if isinstance(geometry, Sticking):
+        return f", though none slides: they use up to {100 * geometry.kappa:.4g} % of their friction"
+    low, high = (math.degrees(math.atan(edge)) if edge is not None else end
+                 for edge, end in ((geometry.pole, 0.0), (geometry.equator, 90.0)))
+    return f"; from {low:.4g} to {high:.4g} deg from axis 3 they slide"
 
 
 def _add_to_loading(scene: Scene, loading: Loading | None) -> Loading:

@@ -32,6 +32,34 @@ RELATIVE_ERROR = 4 * 2.0**-52
 the worst was 1.8 * 2**-52, which is 2.9 units in the last place (kinematic), and 1.5 * 2**-52, 2.4 units (static)."""
 
 
+KINETIC_ERROR = 8 * 2.0**-52
+"""The same with contact forces and a density of rank two [-]. On 10,000 random and boundary assemblies the worst is
+printed by ``granular check --random 10000``; it stays below 1.5e-15."""
+
+RANK_FOUR_FACTOR = 4.5
+"""With D3333 the terms of the density may cancel; they are at most this much larger than their sum."""
+
+
+def relative_error(fabric: AxialFabric, loading: Loading | None = None) -> float:
+    """Declare a bound for the worst of the six components.
+
+    Parameters
+    ----------
+    fabric : AxialFabric
+        Contact normals and branch lengths about axis 3 [-].
+    loading : Loading or None
+        Stress and friction, for contacts whose stiffness follows their force.
+
+    Returns
+    -------
+    float
+        The bound, relative to that component [-].
+    """
+    if loading is None:
+        return RELATIVE_ERROR
+    return KINETIC_ERROR if fabric.D3333 == 0 else RANK_FOUR_FACTOR * KINETIC_ERROR
+
+
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
              loading: Loading | None = None, rtol: float | None = None) -> RouteResult:
     """Six components over (M/V) l_e^2 k_n,ref by a rule along the meridian.
@@ -56,7 +84,7 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
 
     Accuracy
     --------
-    ``RELATIVE_ERROR`` for every component of every admissible fabric that is not subnormal, under every loading.
+    :func:`relative_error` for every component of every admissible fabric that is not subnormal, under every loading.
 
     Raises
     ------
@@ -76,16 +104,17 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     >>> result.components[2:4], result.evaluations
     ((0.0, 0.0), 80)
     """
-    require_accuracy(NAME, RELATIVE_ERROR, rtol)
+    declared = relative_error(fabric, loading)
+    require_accuracy(NAME, declared, rtol)
     if loading is not None:
         from granular.routes.axial_kinetic import components_by_contacts, suitable_contacts
 
         contacts = suitable_contacts(fabric, loading, hypothesis)
         six = components_by_contacts(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, contacts=contacts)
-        return RouteResult(six, RELATIVE_ERROR, len(contacts))
+        return RouteResult(six, declared, len(contacts))
     rule = suitable_rule(fabric, hypothesis)
     components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, rule=rule)
-    return RouteResult(components, RELATIVE_ERROR, len(rule))
+    return RouteResult(components, declared, len(rule))
 
 
 def nodes_of(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> int:

@@ -53,6 +53,7 @@ def run(*arguments):
 @pytest.mark.parametrize("arguments", [
     ("run", SCENES / "table_ii_3.toml"), ("run", SCENES / "wave_speeds.toml"),
     ("run", SCENES / "wave_speeds.toml", "--json"), ("run", SCENES / "wave_speeds.toml", "--route", "axial"),
+    ("run", SCENES / "table_iii_3.toml"), ("run", SCENES / "table_v_2.toml"), ("plan", SCENES / "table_v_2.toml"),
     ("plan", SCENES / "wave_speeds.toml"), ("schema",), ("--version",), ("--help",),
 ], ids=lambda words: " ".join(Path(str(word)).name for word in words))
 def test_commands_load_no_numeric_library(arguments):
