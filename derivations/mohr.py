@@ -5,6 +5,8 @@ Forces are over f_ref/W throughout: f_n = a s + c x^2, f_r = |c - a| x sqrt(s).
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derivations import slip_rule
@@ -184,6 +186,7 @@ def _sliding_step() -> Step:
          Claim((kappa + sp.sqrt(kappa**2 - 1)) * (kappa - sp.sqrt(kappa**2 - 1)), sp.Integer(1))), result=True)
 
 
+@cache
 def mohr_circle() -> Derivation:
     """Derive which contacts stick, slide or open, and the maps by which the stiffness is summed over directions."""
     return Derivation(

@@ -50,11 +50,14 @@ def rotated_form(index: int, side: int, degree: int = DEGREE) -> tuple[sp.Expr, 
 
     ``side`` is the sign of omega, so that sin(omega) is positive on both sides.
     """
-    to_equator = sine_star * cosine + side * cosine_star * sine
-    to_pole = cosine_star * cosine - side * sine_star * sine
+    _, sin_w, cos_w, at_equator, at_pole = sp.ring("sin_w cos_w at_equator at_pole", sp.QQ)
     power = 2 * degree + 1
-    form = sp.Poly(to_equator ** (power - 2 * index) * to_pole ** (2 * index), sine, cosine)
-    return tuple(form.coeff_monomial(sine**j * cosine ** (power - j)) for j in range(power + 1))
+    form = ((at_equator * cos_w + side * at_pole * sin_w) ** (power - 2 * index)
+            * (at_pole * cos_w - side * at_equator * sin_w) ** (2 * index))
+    found: list[sp.Expr] = [sp.Integer(0)] * (power + 1)
+    for (of_sine, _, of_equator, of_pole), coefficient in form.terms():
+        found[of_sine] += sp.Rational(int(coefficient)) * sine_star**of_equator * cosine_star**of_pole
+    return tuple(found)
 
 
 def moment(index: int, arcs: Sequence[Arc], degree: int = DEGREE,
@@ -187,4 +190,8 @@ def _number(value: sp.Rational, digits: int | None) -> sp.Expr:
 
 
 def _numbers(values: Moments, digits: int | None) -> Moments:
-    return values if digits is None else tuple(sp.N(value, digits) for value in values)
+    if digits is None:
+        return values
+    integrals = set().union(*(value.atoms(sp.elliptic_f) for value in values))
+    known = {integral: sp.N(integral, digits) for integral in integrals}
+    return tuple(sp.N(value.xreplace(known), digits) for value in values)
