@@ -116,3 +116,34 @@ def test_opening_limit_by_coulomb() -> None:
 def test_kappa_is_declared_once() -> None:
     """Two symbols for the height of the bell would let the maps speak of another one."""
     assert mohr.mohr_circle().output("kappa").symbol == kappa
+
+
+@pytest.mark.parametrize("place", [sp.Rational(-5, 2), sp.Rational(1, 3)])
+@pytest.mark.parametrize("name", ["sticking_node", "beside_node", "between_node"])
+def test_emitted_nodes_are_the_maps_that_are_proved(name: str, place: sp.Rational) -> None:
+    """A node that drifts from its map has another exp(|sigma|), d(sigma)/d(variable) or margin than the plain ones."""
+    share, scale = sp.Rational(1, 3), sp.Rational(3, 4)
+    variable = slip_maps.w if name == "beside_node" else slip_maps.u
+    half_sine = {
+        "sticking_node": sp.sqrt((1 - share) / 2) * sp.sinh(variable),
+        "beside_node": scale * (1 + slip_maps.BESIDE),
+        "between_node": scale * sp.sinh(variable) / sp.sqrt(4 + sp.sinh(variable) ** 2),
+    }[name]
+    beside, slope = (e.subs(variable, place) for e in (slip_maps.BESIDE, sp.diff(slip_maps.BESIDE, slip_maps.w)))
+    arguments = {
+        "sticking_node": (sp.sinh(place), sp.cosh(place), sp.sqrt((1 - share) / 2), 1 - share, share),
+        "beside_node": (beside, slope, scale),
+        "between_node": (sp.sinh(place), sp.cosh(place), scale, sp.Integer(2)),
+    }[name]
+    function = next(one for one in mohr.mohr_circle().functions if one.name == name)
+    at = dict(zip(function.arguments, arguments, strict=True))
+    found = [expression.subs(at) for expression in function.substituted().values()]
+    sigma = 2 * sp.asinh(half_sine)
+    edge = 2 * sp.asinh(scale) if name == "beside_node" else 0
+    expected = [sp.exp(sp.Abs(sigma.subs(variable, place)) - edge), sp.diff(sigma, variable).subs(variable, place)]
+    if len(found) > 2:
+        kappa_here = 1 + 2 * scale**2 if name == "beside_node" else share
+        chi = sp.cbrt(1 - kappa_here / sp.cosh(sigma.subs(variable, place)))
+        expected += [chi, 1 - chi]
+    for one, other in zip(found, expected, strict=True):
+        assert abs(sp.N(one - other, 30, maxn=300)) < sp.Float("1e-25", 30) * (1 + abs(sp.N(other, 30)))
