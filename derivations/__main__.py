@@ -64,10 +64,11 @@ def write() -> None:
     from derivations.emit.files import emitted_files
     from derivations.emit.files import write as write_files
 
-    changed = write_files()
+    wanted = emitted_files()
+    changed = write_files(wanted=wanted)
     for path in changed:
         typer.echo(f"  {path}")
-    typer.echo(f"{len(changed)} of {len(emitted_files())} emitted files changed.")
+    typer.echo(f"{len(changed)} of {len(wanted)} emitted files changed.")
 
 
 @app.command()

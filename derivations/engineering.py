@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derivations.kinematic import isotropic_moments, positive_components
@@ -95,6 +97,7 @@ def _moduli(stiffness: tuple[sp.Expr, sp.Expr], young: tuple[sp.Expr, sp.Expr]) 
     return tuple(f"{name} = {latex(value)}" for name, value in zip(names, (*stiffness, *young), strict=True))
 
 
+@cache
 def isotropic() -> Derivation:
     """Derive K, G, E and nu of an isotropic assembly by both hypotheses."""
     values, further = isotropic_values(), isotropic_engineering()
@@ -135,6 +138,7 @@ def isotropic() -> Derivation:
     )
 
 
+@cache
 def engineering() -> Derivation:
     """Derive Young's moduli, Poisson's ratios, shear moduli and the bulk modulus of a transversely isotropic solid."""
     values = constants()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derivations import contact
@@ -19,6 +21,7 @@ def _reversed(expression: sp.Expr) -> sp.Expr:
     return expression.subs(alpha_turn, simultaneous=True).subs(x, -x)
 
 
+@cache
 def equations() -> Derivation:
     """Show how each of the stiffness equations follows from the one before."""
     n = contact.NORMAL

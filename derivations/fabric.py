@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derivations.record import Claim, Derivation, Output, Step
@@ -53,6 +55,7 @@ def admissible_branch() -> sp.Set:
     return sp.Intersection(sp.solveset(at_equator > 0, Dr33, sp.S.Reals), sp.solveset(at_pole > 0, Dr33, sp.S.Reals))
 
 
+@cache
 def fabric() -> Derivation:
     """Derive the positive forms, the admissible region and the fabric tensor."""
     in_y = density_form().subs(s, 1 - y)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derivations import contact
@@ -226,6 +228,7 @@ DISTINCT_TANGENTS = "One tangential stiffness of a contact acts along the meridi
 DOMAIN = ("E nowhere negative", "-1 < Dr33 < 2", "0 <= nu <= 1/2")
 
 
+@cache
 def kinematic_constant() -> Derivation:
     """Derive the stiffness for k_s = k_t = k_r = lambda k_n, the case of Hertz-Mindlin contacts without slip."""
     to_closed = dict(zip(POSITIVE_MOMENTS, closed_moments(), strict=True))
@@ -244,6 +247,7 @@ def kinematic_constant() -> Derivation:
     )
 
 
+@cache
 def kinematic_three() -> Derivation:
     """Derive the stiffness for k_n, k_s, k_t distinct, eq. (2) as it stands."""
     return Derivation(

@@ -60,7 +60,7 @@ def between_node() -> Function:
          (growth, (sp.Abs(q) + root) ** 2),
          (rate, 2 * edge_sine * cosh_v * reach**2 / (root * under**3))),
         (growth, rate),
-        notes="With edge_sine = sinh(psi/2) at the ends of the range and reach = max(edge_sine, 1).", unit="-")
+        notes="With edge_sine = sinh(psi/2) at the ends of the range and reach = sqrt(1 + edge_sine^2).", unit="-")
 
 
 def functions() -> tuple[Function, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import sympy as sp
 
@@ -238,6 +239,7 @@ ASSUMPTIONS = (
 )
 
 
+@cache
 def static_constant() -> Derivation:
     """Derive the compliance and the stiffness for k_s = k_t = lambda k_n."""
     n11, n33 = fabric_tensor()
@@ -256,6 +258,7 @@ def static_constant() -> Derivation:
     )
 
 
+@cache
 def static_three() -> Derivation:
     """Derive the compliance for k_n, k_s, k_t distinct, and its inverse."""
     n11, n33 = fabric_tensor()

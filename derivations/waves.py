@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
 
 from derivations.record import Claim, Derivation, Function, Output, Step
@@ -105,6 +107,7 @@ def fastest_shear_waves() -> tuple[tuple[str, sp.Expr], ...]:
             ("horizontal, vertical polarisation", sv_across), ("horizontal, horizontal polarisation", sh_across))
 
 
+@cache
 def waves() -> Derivation:
     """Derive phase speeds at any angle and Thomsen's parameters."""
     fast_, slow_, horizontal = squared_speeds()

@@ -84,7 +84,7 @@ def beside_node(P: float, slope: float, edge_sine: float) -> tuple[float, float,
 def between_node(sinh_v: float, cosh_v: float, edge_sine: float, reach: float) -> tuple[float, float]:
     """A node of sinh(sigma/2) = edge_sine S/sqrt(reach^2 + S^2), inside a sliding range.
 
-    With edge_sine = sinh(psi/2) at the ends of the range and reach = max(edge_sine, 1).
+    With edge_sine = sinh(psi/2) at the ends of the range and reach = sqrt(1 + edge_sine^2).
 
     Parameters
     ----------

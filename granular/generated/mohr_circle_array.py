@@ -90,7 +90,7 @@ def beside_node(P: Array, slope: Array, edge_sine: Array) -> tuple[Array, Array,
 def between_node(sinh_v: Array, cosh_v: Array, edge_sine: Array, reach: Array) -> tuple[Array, Array]:
     """A node of sinh(sigma/2) = edge_sine S/sqrt(reach^2 + S^2), inside a sliding range.
 
-    With edge_sine = sinh(psi/2) at the ends of the range and reach = max(edge_sine, 1).
+    With edge_sine = sinh(psi/2) at the ends of the range and reach = sqrt(1 + edge_sine^2).
 
     Parameters
     ----------

@@ -133,7 +133,7 @@ def beside(edge: float, end: float, *, rho: float, outward: bool) -> Iterator[No
 
 
 def between(first: float, last: float) -> Iterator[Node]:
-    """Nodes of a range in which every contact slides: sinh(sigma/2) = rho S/sqrt(R^2 + S^2), S = sinh(v).
+    """Nodes of a range in which every contact slides: sinh(sigma/2) = rho S/sqrt(1 + rho^2 + S^2), S = sinh(v).
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def between(first: float, last: float) -> Iterator[Node]:
         t, measure, chi = 0, gamma = 1 [-].
     """
     center, rho = sqrt(first) * sqrt(last), _half_sinh((math.log(last) - math.log(first)) / 2)
-    reach = max(rho, 1.0)
+    reach = sqrt(1 + rho * rho)
     far = math.log(reach) + 21.5
     for j in _range(-far, far):
         sine, cosine = _hyperbolic(j)

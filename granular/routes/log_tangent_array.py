@@ -168,7 +168,7 @@ def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array
     index = np.flatnonzero(wide & (first < last))
     center = np.exp((first[index] + last[index]) / 2)
     rho = np.sinh((last[index] - first[index]) / 4)
-    reach = np.maximum(rho, 1.0)
+    reach = np.sqrt(1 + rho * rho)
     far = np.log(reach) + 21.5
 
     def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:

@@ -119,7 +119,7 @@ def _sliding(where: OpenedRange) -> Iterator[Opened]:
     width = math.log1p(where.gap / u0) / 2  # sigma reaches from -width to width
     rho = _half_sinh(width)
     across = sqrt(1 + rho * rho)
-    reach = max(rho, 1.0)
+    reach = sqrt(1 + rho * rho)
     far = math.log(reach) + 31.0
     for j in _range(-far, far):
         sine, cosine = _hyperbolic(j)

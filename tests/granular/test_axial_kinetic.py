@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import scipy.integrate
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import granular
@@ -152,6 +152,7 @@ SLIPPING = st.tuples(st.floats(-1, 2), st.floats(-0.999999, 1.999999), st.floats
 def test_scenes_and_arrays_agree(point):
     # the two implementations of one rule: geometry in decimals and in exact sums of doubles
     d, dr, log_ratio, log_mu, nu = point
+    assume(d == 0 or abs(d) > 1e-290)  # below, C1122 may be too small for a double, which a scene refuses
     ratio, mu = 10**log_ratio, 10**log_mu
     loading = Loading.of_ratio(ratio, friction=mu)
     for hypothesis in BOTH:
