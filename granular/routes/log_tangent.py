@@ -145,7 +145,9 @@ def between(first: float, last: float) -> Iterator[Node]:
     Node
         t, measure, chi = 0, gamma = 1 [-].
     """
-    center, rho = sqrt(first) * sqrt(last), _half_sinh((math.log(last) - math.log(first)) / 2)
+    # from the quotient: logarithms of far ends would lose the place of the near one
+    edge = sqrt(sqrt(last / first))
+    center, rho = sqrt(first) * sqrt(last), (edge - 1) * (edge + 1) / (2 * edge)
     reach = sqrt(1 + rho * rho)
     far = math.log(reach) + 21.5
     for j in _range(-far, far):

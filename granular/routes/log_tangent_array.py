@@ -163,11 +163,12 @@ def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array
     """
     from granular.generated.mohr_circle_array import between_node
 
-    first = np.maximum(np.log(np.maximum(geometry.pole, 1 / FARTHEST)), low)
-    last = np.minimum(np.log(np.minimum(geometry.equator, FARTHEST)), high)
+    first, last = np.maximum(geometry.pole, np.exp(low)), np.minimum(geometry.equator, np.exp(high))
     index = np.flatnonzero(wide & (first < last))
-    center = np.exp((first[index] + last[index]) / 2)
-    rho = np.sinh((last[index] - first[index]) / 4)
+    first, last = first[index], last[index]
+    # from the quotient: logarithms of far ends would lose the place of the near one
+    edge = np.sqrt(np.sqrt(last / first))
+    center, rho = np.sqrt(first) * np.sqrt(last), (edge - 1) * (edge + 1) / (2 * edge)
     reach = np.sqrt(1 + rho * rho)
     far = np.log(reach) + 21.5
 

@@ -109,6 +109,7 @@ def test_against_adaptive_quadrature(d, dr, ratio, mu, hypothesis):
 @given(st.floats(-1, 2), st.floats(-0.999, 1.999), st.floats(0.15, 6), st.floats(0, 0.5), st.sampled_from(BOTH))
 def test_against_the_series(d, dr, ratio, nu, hypothesis):
     # contact forces without slip by two ways that share nothing but the components
+    assume(nu == 0 or nu > 1e-290)  # below, C1122 may be too small for a double, which a scene refuses
     fabric = AxialFabric(D33=d, Dr33=dr if hypothesis is Hypothesis.KINEMATIC else 0.0)
     loading = Loading.of_ratio(ratio)
     if not closed_form.covers(fabric, hypothesis, loading):
