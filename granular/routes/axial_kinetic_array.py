@@ -203,10 +203,10 @@ def _add_slipping(result: Array, elements: Elements, geometry: Geometry, members
     low, high = _window(here, hypothesis)
     rho = np.sqrt(np.maximum(-geometry.left / 2, 0.0))
     wide = rho >= smallest
-    for arc in (sticking(geometry, ~wide, low, high, smallest),
-                beside(geometry, wide, low, high, rho, outward=False),
-                beside(geometry, wide, low, high, rho, outward=True),
-                between(geometry, wide, low, high)):
+    for arc in (arc for outward in (False, True) for arc in (
+            sticking(geometry, ~wide, low, high, smallest, outward=outward),
+            beside(geometry, wide, low, high, rho, outward=outward),
+            between(geometry, wide, low, high, outward=outward))):
         for index, t, measure, chi, gamma in arc.blocks():
             s, y, weight = directions(t, measure)
             sums = _weighted(here.of(index), s, y, weight, hypothesis, chi, gamma)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
     Index = NDArray[np.intp]
 
-ENTRIES = 2**16
+ENTRIES = 2**14
 """Elements times nodes evaluated at a time, so that a dozen such arrays stay near the processor."""
 
 NEGLIGIBLE = 2.0**-160
@@ -27,6 +27,12 @@ NEGLIGIBLE = 2.0**-160
 
 FARTHEST = 2.0**500
 """An edge of the sliding range farther out is moved here, as there."""
+
+Nodes = Callable[["Index", "Index"], tuple["Array", "Array", "Array", "Array"]]
+"""Elements of a block and node numbers (n, nodes) to tan(beta), measure, chi and gamma."""
+
+NOTHING, ALL = np.zeros((1, 1)), np.ones((1, 1))
+"""chi and gamma of contacts that slide."""
 
 Blocks = tuple["Index", "Array", "Array", "Array", "Array"]
 """Elements of a block, and tan(beta), measure, chi and gamma at their nodes."""
@@ -43,13 +49,13 @@ class Arc:
     first, last : (n,) array of int
         First and last node of each.
     nodes : callable
-        Elements of a block (positions in ``index``) and node numbers (n, nodes) to tan(beta), measure, chi, gamma.
+        Takes positions in ``index``.
     """
 
     index: Index
     first: Index
     last: Index
-    nodes: Callable[[Index, Index], tuple[Array, Array, Array, Array]]
+    nodes: Nodes
 
     def blocks(self) -> Iterator[Blocks]:
         """Evaluate the nodes a block at a time, elements with equally many nodes together."""
@@ -66,8 +72,9 @@ class Arc:
             yield self.index[block], *self.nodes(block, numbers)
 
 
-def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Array, smallest: float) -> Arc:
-    """All directions of elements in which every contact sticks, or whose sliding range is too narrow to matter.
+def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Array, smallest: float, *,
+             outward: bool) -> Arc:
+    """Half of the directions of elements whose contacts all stick, or whose sliding range is too narrow to matter.
 
     Parameters
     ----------
@@ -79,6 +86,8 @@ def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Ar
         Range of log(tan(beta)) that matters [-].
     smallest : float
         Smallest scale of the map [-].
+    outward : bool
+        True for the half from the direction nearest to sliding towards the equator.
 
     Returns
     -------
@@ -92,14 +101,16 @@ def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Ar
     left = np.maximum(g.left, 0.0)
     r = np.maximum(np.sqrt(left / 2), smallest)
     middle = np.log(g.center)
-    first, last = (np.arcsinh(np.sinh((end[index] - middle) / 2) / r) for end in (low, high))
+    near, far = ((end[index] - middle) * (1 if outward else -1) for end in ((low, high) if outward else (high, low)))
+    first, last = (np.arcsinh(np.sinh(end / 2) / r) for end in (near, far))
 
     def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
         sine, cosine = _hyperbolic(numbers)
         growth, rate, chi, gamma = sticking_node(sine, cosine, *(part[block, None] for part in (r, left, g.kappa)))
-        return _around(g.center[block, None], growth, numbers), rate * STEP, chi, gamma
+        center = g.center[block, None]
+        return (center * growth if outward else center / growth), rate * STEP, chi, gamma
 
-    return Arc(index, _floor(first), _ceil(last), nodes)
+    return _half(index, first, last, nodes)
 
 
 def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, rho: Array, *,
@@ -144,8 +155,8 @@ def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array,
     return Arc(index, _floor(np.full(index.shape, -21.0)), _ceil(last), nodes)
 
 
-def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array) -> Arc:
-    """Sliding contacts, as far as they matter.
+def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, *, outward: bool) -> Arc:
+    """Half of the sliding contacts, as far as they matter.
 
     Parameters
     ----------
@@ -155,6 +166,8 @@ def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array
         The elements to take [-].
     low, high : (n,) array
         Range of log(tan(beta)) that matters [-].
+    outward : bool
+        True for the half from the middle of the range towards the equator.
 
     Returns
     -------
@@ -175,15 +188,17 @@ def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array
     def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
         sine, cosine = _hyperbolic(numbers)
         growth, rate = between_node(sine, cosine, rho[block, None], reach[block, None])
-        t = _around(center[block, None], growth, numbers)
-        return t, rate * STEP, np.zeros_like(t), np.ones_like(t)
+        middle = center[block, None]
+        return (middle * growth if outward else middle / growth), rate * STEP, NOTHING, ALL
 
-    return Arc(index, _floor(-far), _ceil(far), nodes)
+    return _half(index, np.zeros_like(far), far, nodes)
 
 
-def _around(center: Array, growth: Array, numbers: Index) -> Array:
-    """Return tan(beta) on either side of a center."""
-    return np.where(numbers >= 0, center * growth, center / growth)
+def _half(index: Index, first: Array, last: Array, nodes: Nodes) -> Arc:
+    """Nodes on one side of a center, as far as the range that matters reaches there."""
+    here = np.flatnonzero(last > 0)
+    return Arc(index[here], np.maximum(_floor(first[here]), 0), _ceil(last[here]),
+               lambda block, numbers: nodes(here[block], numbers))
 
 
 def _floor(value: Array) -> Index:
@@ -227,12 +242,7 @@ def directions(t: Array, measure: Array) -> tuple[Array, Array, Array]:
     tuple of 3 array, (...)
         s, x^2 and dx = s x d(log tan(beta)) [-].
     """
-    flat = t <= 1
-    with np.errstate(divide="ignore", under="ignore"):
-        small = np.where(flat, t, 1 / np.maximum(t, 1.0))
-        square = small * small
-        whole = 1 / (1 + square)
-        part = square * whole
-        root = np.where(flat, 1.0, small) * np.sqrt(whole)
-        s = np.where(flat, part, whole)
-        return s, np.where(flat, whole, part), measure * s * root
+    with np.errstate(divide="ignore", over="ignore", under="ignore"):
+        square = t * t
+        s, y = 1 / (1 + 1 / square), 1 / (1 + square)
+        return s, y, measure * s * np.sqrt(y)
