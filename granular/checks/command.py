@@ -90,7 +90,12 @@ def _rendered(content: list[Row]) -> Table:
 def _cell(comparison: Comparison | None) -> str:
     if comparison is None:
         return "-"
-    return f"{comparison.error:.3g}/{comparison.allowed:.3g} {comparison.component}"
+    return f"{_short(comparison.error)}/{_short(comparison.allowed)} {comparison.component}"
+
+
+def _short(units: float) -> str:
+    """A number of units in at most five characters."""
+    return f"{units:.2g}" if units < 100 or units >= 1e5 else f"{units:.0f}"
 
 
 def _summary(comparisons: list[Comparison], misses: int) -> str:

@@ -53,8 +53,8 @@ def rows(comparisons: Iterable[Comparison]) -> list[Row]:
 
     Examples
     --------
-    >>> from granular.checks import rows, table
-    >>> len(rows(table())) < 90
+    >>> from granular.checks.limit_comparisons import limit_comparisons
+    >>> len(rows(limit_comparisons())) < 40
     True
     """
     groups: dict[str, dict[str, list[Comparison]]] = {}

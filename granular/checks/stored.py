@@ -25,8 +25,16 @@ from granular.hypothesis import Hypothesis
 from granular.loading import Loading
 from granular.routes.result import COMPONENTS
 
-ORDINARY = frozenset({"paper", "isotropic", "interior"})
+ORDINARY = frozenset({"paper", "isotropic", "interior", "scale"})
 """Families with contact forces that are not hard."""
+
+GROUPS = {
+    "forces: paper": ("paper",), "forces: interior": ("isotropic", "interior", "scale"),
+    "forces: c - a tiny": ("tiny-D", "tiny-stress", "balanced"),
+    "forces: fabric edges": ("D-edge", "Dr-edge", "corner"), "forces: nu-edge": ("nu-edge",),
+    "forces: friction": ("mu-to-0", "mu-like-D", "mu-to-inf", "frictionless"),
+    "forces: near onset": ("tangent", "near-tangent"), "forces: SR far from 1": ("SR-to-0", "SR-to-inf", "large-both")}
+"""Families with contact forces that are shown together."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -142,7 +150,7 @@ def stored_comparisons() -> Iterator[Comparison]:
     """
     usable = voices()
     for case in (*stored_cases(), *kinetic_cases()):
-        group = case.family if case.loading is None else f"forces: {case.family}"
+        group = case.family if case.loading is None else _shown_under(case.family)
         for hypothesis, known in case.known.items():
             for voice in usable:
                 result = attempt(voice, case.fabric, case.poisson_ratio, hypothesis, case.loading)
@@ -156,6 +164,10 @@ def stored_comparisons() -> Iterator[Comparison]:
                     error, allowed = relative * units, allowed_error(voice, result, aim=_aim(case, hypothesis)) * units
                 yield Comparison(group=group, case=case.name, hypothesis=hypothesis, route=voice.NAME,
                                  component=component, error=error, allowed=allowed)
+
+
+def _shown_under(family: str) -> str:
+    return next(group for group, families in GROUPS.items() if family in families)
 
 
 def _aim(case: CertifiedCase, hypothesis: Hypothesis) -> float:

@@ -6,21 +6,35 @@ import json
 import math
 import subprocess
 import sys
+from collections.abc import Iterator
 from fractions import Fraction
+from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
 
 from granular import checks
 from granular.checks.comparison import Comparison, error_in_ulp, gap_in_ulp
+from granular.checks.force_limit_comparisons import force_limit_comparisons
 from granular.checks.limit_comparisons import limit_comparisons
 from granular.checks.limits import isotropic_kinematic, kinematic_polynomial, kinematic_trace
+from granular.checks.stored import stored_comparisons
 from granular.errors import OutputUnwritable
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
+from granular.loading import Loading
 from granular.routes import axial, certified, closed_form, exact, sphere
 from granular.routes.result import RouteResult
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _enclose_once() -> Iterator[None]:
+    """Ball arithmetic answers the same question once, however often the checks run here."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(certified, "enclose", lru_cache(maxsize=None)(certified.enclose))
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -33,13 +47,13 @@ def test_everything_agrees(comparisons: list[Comparison]) -> None:
     assert [comparison for comparison in comparisons if not comparison.agrees] == []
     assert {comparison.route for comparison in comparisons} == {
         route.NAME for route in (closed_form, exact, axial, sphere, certified)}
-    assert len(comparisons) > 800
+    assert len(comparisons) > 2500
 
 
 def test_the_table_is_short_enough_to_read(comparisons: list[Comparison]) -> None:
     """Rows are not folded, or a comparison is lost on the way."""
     rows = checks.rows(comparisons)
-    assert len(rows) < 80
+    assert len(rows) < 130
     groups = list(dict.fromkeys(row.group for row in rows))
     assert groups == list(dict.fromkeys(comparison.group for comparison in comparisons))
     shown = [comparison for row in rows for comparison in row.worst.values()]
@@ -82,6 +96,25 @@ def test_a_wrong_route_is_caught(route: ModuleType, monkeypatch: pytest.MonkeyPa
     shown = capsys.readouterr().out
     assert "MISSED" in shown
     assert f"MISS: paper, o000, kinematic, {route.NAME}: C2323 is off by" in shown
+
+
+@pytest.mark.parametrize("wrong", ["slide", "stick", "nothing"])
+def test_contact_forces_are_caught(wrong: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A route that is off only where contacts slide, or only where they stick, still agrees with everything."""
+    right = axial.evaluate
+
+    def off(fabric: AxialFabric, *, loading: Loading | None = None, **options: Any) -> RouteResult:
+        result = right(fabric, loading=loading, **options)
+        if loading is None or loading.slides(fabric.D33) != (wrong == "slide") or wrong == "nothing":
+            return result
+        shear = result.components[4] * (1 + 4e-15)
+        return RouteResult((*result.components[:4], shear, result.components[5]), result.relative_error, 0)
+
+    monkeypatch.setattr(axial, "evaluate", off)
+    missed = {comparison.group for comparison in stored_comparisons() if not comparison.agrees}
+    expected = {"slide": {"forces: friction", "forces: paper"}, "stick": {"forces: c - a tiny", "forces: nu-edge"}}
+    assert missed >= expected.get(wrong, set())
+    assert all(group.startswith("forces") for group in missed)
 
 
 def test_a_coupling_at_zero_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -154,3 +187,20 @@ def test_records_are_frozen_and_name_what_they_compare(comparisons: list[Compari
         "paper", "o000", Hypothesis.KINEMATIC, "closed_form")
     with pytest.raises(AttributeError):
         first.error = 0.0  # type: ignore[misc]
+
+
+def test_limits_with_forces_are_hit(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A route that ignores friction, or the stress, passes the limits with contact forces."""
+    groups = {comparison.group for comparison in force_limit_comparisons()}
+    assert groups >= {f"forces: {name}" for name in (
+        "a = c", "K and G", "SR near 1", "SR to inf", "SR to 0", "C1212", "trace", "exact zeros", "no friction",
+        "mu to 0", "mu to inf", "onset")}
+    right = axial.evaluate
+
+    def without_friction(fabric: AxialFabric, *, loading: Loading | None = None, **options: Any) -> RouteResult:
+        assert loading is not None
+        return right(fabric, loading=Loading(sigma11=loading.sigma11, sigma33=loading.sigma33), **options)
+
+    monkeypatch.setattr(axial, "evaluate", without_friction)
+    missed = {comparison.group for comparison in force_limit_comparisons() if not comparison.agrees}
+    assert {"forces: no friction", "forces: onset"} <= missed

@@ -41,8 +41,11 @@ def test_every_route_keeps_its_word_on_the_stored_cases() -> None:
     assert [comparison for comparison in found if not comparison.agrees] == []
     served = {route.NAME: sum(comparison.route == route.NAME for comparison in found)
               for route in (closed_form, exact, axial, sphere, certified)}
-    # 23 cases, two hypotheses; 9 fabrics have branches too unequal for the static series and for the sphere.
-    assert served == {"closed_form": 37, "exact": 23, "axial": 46, "sphere": 37, "certified": 46}
+    # 23 cases of equal stiffness, two hypotheses; 9 fabrics have branches too unequal for the static series and for the
+    # sphere. 121 cases with contact forces, 96 of them with a static stiffness, of which axial and certified miss none.
+    assert (served["exact"], served["axial"], served["certified"]) == (23, 46 + 217, 46 + 217)
+    assert served["closed_form"] >= 37 + 40
+    assert served["sphere"] >= 37 + 30
 
 
 def test_random_admissible_fabrics_with_boundaries() -> None:
