@@ -1,5 +1,9 @@
 """The emitted closed forms, in exact rational arithmetic: no integrand is evaluated, nothing cancels.
 
+With contact forces the moments are exact Gegenbauer series in the contrast of the forces at pole and equator, for
+1/9 <= c/a <= 9. Elementary terms plus one Legendre integral, and the hypergeometric function, cover the rest of the
+domain and partial slip, but lose digits in doubles: there they are identities, which ``certified`` evaluates in balls.
+
 One evaluation takes about 0.1 ms. For many evaluations see :func:`granular.axial_stiffness`, which runs the same
 emitted arithmetic on arrays of floats.
 """
@@ -107,7 +111,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
                 "route = closed_form with contact forces",
                 allowed="the series serves forces at pole and equator within a factor 9, without partial slip or "
                 "opening, and under the static hypothesis branches of one length",
-                remedy='Use route = "axial", which serves every loading.')
+                remedy='Use route = "axial", which serves every loading, or "certified", which evaluates the closed '
+                "form with slip in ball arithmetic, where its cancellation does no harm.")
         raise RouteOutOfDomain(
             f"route = closed_form for Dr33 = {fabric.Dr33!r}",
             allowed="the static closed form serves -16/19 <= Dr33 <= 16/11",
