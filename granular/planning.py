@@ -171,6 +171,8 @@ def _decide(name: str, fabric: AxialFabric, hypothesis: Hypothesis, loading: Loa
             why = f"the cheapest that serves this scene{passed}" if name == "auto" else "as asked for"
             return route, promise, f"{route.title}, {why}"
         passed = f" ({route.name} does not)"
+    # one named route that does not serve the scene: it says best itself what it serves
+    ROUTES[name].evaluate(fabric, poisson_ratio=0.0, hypothesis=hypothesis, loading=loading)
     raise RouteOutOfDomain(f"route = {name} for {fabric}" + ("" if loading is None else " with contact forces"),
                            allowed=f"it does not serve this scene by the {hypothesis} hypothesis",
                            remedy=f"Use route {AUTO[-1]}, which serves every admissible scene.")

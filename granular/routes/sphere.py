@@ -86,12 +86,16 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         raise RouteOutOfDomain(
             f"route = sphere for Dr33 = {fabric.Dr33!r}" + ("" if loading is None else " with contact forces"),
             allowed=f"allowed integrands without slip for which a rule of degree {DEGREES[-1]} is good enough "
-            f"(its relative error may be {errors[degree]:.2g} here)",
+            f"({_likely(errors[degree])} here)",
             remedy="Use the route axial, which serves every scene.")
     require_accuracy(NAME, errors[degree], rtol)
     components = components_by_degree(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, degree=degree,
                                       loading=loading)
     return RouteResult(components, errors[degree], directions_of(degree))
+
+
+def _likely(error: float) -> str:
+    return "nothing is promised" if math.isinf(error) else f"its relative error may be {error:.2g}"
 
 
 def declared_error(fabric: AxialFabric, *, hypothesis: Hypothesis, degree: int,
