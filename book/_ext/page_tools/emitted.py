@@ -9,7 +9,9 @@ from page_tools.markup import Markup, plain, table
 
 PAGE_OF = {"fabric": "fabric", "equations": "kinematic", "kinematic_constant": "kinematic", "static_constant": "static",
            "kinematic_three": "kinematic", "static_three": "static", "isotropic": "kinematic",
-           "engineering": "engineering", "waves": "waves"}
+           "engineering": "engineering", "waves": "waves", "contact_forces": "forces", "mohr_circle": "sliding",
+           "kinetic_components": "kinetic", "kinetic": "kinetic", "kinetic_limits": "kinetic_limits",
+           "partial_slip": "partial_slip"}
 """The page that shows each derivation with its steps."""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from derivations import kinematic, static
+from derivations.catalogue import derivation
 from derivations.fabric import fabric_tensor
 from derivations.symbols import (
     C1111,
@@ -25,6 +26,7 @@ from derivations.symbols import (
     p2,
 )
 from page_tools.markup import Markup
+from page_tools.steps import display, parts
 
 SCALE = r"(M/V)\,\ell_e^2 k_n"
 MOMENTS = r"p_k = \bigl\langle 4\pi E\,W^{%s} s^{2-k} x^{2k}\bigr\rangle,\quad k = 0, 1, 2,"
@@ -61,6 +63,35 @@ def static_formulas(*, label: str = "") -> Markup:
     _require_same(derived, short, further)
     return _in_parts(label, power="-2", components=[(symbol, short[symbol]) for symbol in STIFFNESS],
                      further=tuple(further.items()))
+
+
+def of_steps(name: str, *places: int | tuple[int, int], label: str = "") -> Markup:
+    """Typeset formulas of a derivation after the machine has checked their steps; the last one carries the label.
+
+    Parameters
+    ----------
+    name : str
+        Name of the derivation.
+    places : int or tuple of int
+        Steps, counted from 1, of which all formulas are shown; or a step and one of its formulas.
+    label : str
+        Name to refer to.
+
+    Raises
+    ------
+    AssertionError
+        A step does not hold; the page must not be built.
+    """
+    record, formulas = derivation(name), []
+    for place in places:
+        number, *position = (place,) if isinstance(place, int) else place
+        step = record.steps[number - 1]
+        if not step.holds():
+            raise AssertionError(f"{name}: {step.title} does not hold")
+        formulas += [step.shown[position[0] - 1]] if position else list(step.shown)
+    if label:
+        return Markup(display(formulas, label))
+    return Markup("\n".join(_display(part, "") for formula in formulas for part in parts(formula)) + "\n")
 
 
 def _in_parts(label: str, *, power: str, components: list[Line], further: tuple[Line, ...]) -> Markup:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import csv
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import Protocol
@@ -77,14 +77,14 @@ def table(
     return Markup(f":::{{table}} {caption}\n:name: {label}\n\n{grid}\n\n:::\n{link}")
 
 
-def _csv_link(name: str, header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+def _csv_link(name: str, header: Sequence[str], rows: Iterable[Sequence[str]], what: str = "these rows") -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(header)
     writer.writerows(rows)
     data = base64.b64encode(text.getvalue().encode()).decode()
     return (f'\n<p class="take-away"><a download="{name}" href="data:text/csv;base64,{data}">'
-            f"these rows as {name}</a></p>\n")
+            f"{what} as {name}</a></p>\n")
 
 
 _TYPOGRAPHY = {"<=": "≤", ">=": "≥", "^2": "²", "^3": "³", "^4": "⁴", " - ": " − "}
@@ -96,3 +96,9 @@ def plain(text: str) -> str:
     for typed, printed in _TYPOGRAPHY.items():
         text = text.replace(typed, printed)
     return text.translate(_SPECIAL)
+
+
+def numbers_to_take_away(name: str, columns: Mapping[str, Iterable[float]], *, digits: int = 8) -> Markup:
+    """Offer the numbers behind a figure as a CSV file, one column each."""
+    rows = ([f"{value:.{digits}g}" for value in row] for row in zip(*columns.values(), strict=True))
+    return Markup(_csv_link(name, list(columns), rows, what="the numbers behind the figure"))

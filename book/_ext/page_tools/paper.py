@@ -48,11 +48,11 @@ def table_ii(data: str) -> Markup:
     rows = []
     for case in cases(data):
         result = evaluated(case)
-        panels = _by_midpoint(result, PANELS)
+        panels = by_midpoint(result, PANELS)
         for ratio, (name, column) in zip(result.ratios, RATIOS, strict=True):
             printed = case[column]
-            rows.append([case["case"], _typeset(name), f"{ratio.value:.6f}", f"{panels[name]:.6f}", printed,
-                         _percent(float(printed) / ratio.value - 1), _verdict(panels[name], printed)])
+            rows.append([case["case"], typeset(name), f"{ratio.value:.6f}", f"{panels[name]:.6f}", printed,
+                         percent(float(printed) / ratio.value - 1), verdict(panels[name], printed)])
     return table(["case", "ratio", "exact", f"{PANELS} panels", "printed", "printed − exact",
                   f"from {PANELS} panels"], rows, label="tab-table-ii", align="llrrrrl",
                  caption="Table II of the paper: exact values, the paper's quadrature, and what is printed.",
@@ -63,7 +63,7 @@ def rational_ratios(data: str) -> Markup:
     """List the exact ratios as fractions."""
     rows = [[case["case"], case["D33"], case["Dr33"], *(f"{ratio.exact}" for ratio in evaluated(case).ratios)]
             for case in cases(data)]
-    return table(["case", "$D_{33}$", "$D^{r}_{33}$", *(_typeset(name) for name, _ in RATIOS)], rows,
+    return table(["case", "$D_{33}$", "$D^{r}_{33}$", *(typeset(name) for name, _ in RATIOS)], rows,
                  label="tab-rational", align="lrrrr", caption="The exact ratios of Table II.",
                  take_away="table_ii_exact.csv")
 
@@ -72,7 +72,7 @@ def panel_counts(data: str, first: int, last: int) -> Markup:
     """Count, for each number of panels, how many of the printed ratios the midpoint rule gives."""
     rows = []
     for panels in range(first, last + 1):
-        verdicts = [_verdict(_by_midpoint(evaluated(case), panels)[name], case[column])
+        verdicts = [verdict(by_midpoint(evaluated(case), panels)[name], case[column])
                     for case in cases(data) for name, column in RATIOS]
         rows.append([str(panels), *(str(verdicts.count(kind)) for kind in ("rounded", "cut", "no"))])
     return table(["panels", "rounded", "cut", "not at all"], rows, label="tab-panels", align="lrrr",
@@ -86,7 +86,7 @@ def engineering_table(data: str) -> Markup:
     for field in fields(EngineeringConstants):
         values = [getattr(constants, field.name) for constants in of_case.values()]
         ratio = field.name.startswith("nu")
-        rows.append([_typeset(field.name), "–" if ratio else "MPa",
+        rows.append([typeset(field.name), "–" if ratio else "MPa",
                      *(f"{value:.4f}" if ratio else f"{value / 1e6:.1f}" for value in values)])
     return table(["constant", "unit", *(f"case {name}" for name in of_case)], rows, label="tab-engineering",
                  align="llrrr", caption="Engineering constants of the assemblies of Table II under 28 kPa.",
@@ -129,14 +129,16 @@ def bound_table(data: str) -> Markup:
                          "is negative. The last columns compare two components.")
 
 
-def _by_midpoint(result: Evaluation, panels: int) -> dict[str, float]:
+def by_midpoint(result: Evaluation, panels: int) -> dict[str, float]:
+    """Both ratios of an evaluated scene by a midpoint rule."""
     plan = result.plan
     c1111, c3333, _, _, c2323, c1212 = midpoint.evaluate(
-        plan.fabric, poisson_ratio=plan.poisson_ratio, hypothesis=plan.hypothesis, panels=panels).components
+        plan.fabric, poisson_ratio=plan.poisson_ratio, hypothesis=plan.hypothesis, loading=plan.loading,
+        panels=panels).components
     return {"C1111/C3333": c1111 / c3333, "C2323/C1212": c2323 / c1212}
 
 
-def _verdict(value: float, printed: str) -> str:
+def verdict(value: float, printed: str) -> str:
     """Whether a value becomes the printed decimals when it is rounded, when it is cut, or not at all."""
     digits = len(printed.partition(".")[2])
     if f"{value:.{digits}f}" == printed:
@@ -144,11 +146,12 @@ def _verdict(value: float, printed: str) -> str:
     return "cut" if f"{int(value * 10**digits) / 10**digits:.{digits}f}" == printed else "no"
 
 
-def _percent(change: float) -> str:
+def percent(change: float) -> str:
+    """Set a relative change as a percentage with its sign."""
     return f"{100 * change:+.2f} %".replace("-", "−")
 
 
-def _typeset(name: str) -> str:
+def typeset(name: str) -> str:
     """Set C1111/C3333, E1, nu12 or K as a formula."""
     return "$" + "/".join(_NAMED.sub(_with_index, part) for part in name.split("/")) + "$"
 

@@ -13,6 +13,9 @@ PACKAGES = ("granular", "sympy", "numpy", "scipy", "python-flint", "matplotlib",
             "jupyter-book", "Sphinx", "myst-nb", "sphinx-book-theme")
 DATA_FILES = {
     "_data/table_ii.csv": "printed ratios of Table II",
+    "_data/table_iii.csv": "printed ratios of Table III",
+    "_data/table_iv.csv": "printed ratios of Table IV",
+    "_data/table_v.csv": "printed ratios of Table V",
     "_data/isotropic_28kpa.csv": "printed stiffness of the isotropic assemblies",
     "_data/table_ii_case_3.toml": "scene of Table II, case 3",
     "_data/cost.json": "measured times and errors of every route",

@@ -15,6 +15,10 @@ LONGEST_ALIGNED = 66
 """Formulas up to this many visible signs are set below one another; longer ones stand alone and can be broken."""
 
 
+WIDEST_PAIR, WIDEST_TRIPLE = 42, 30
+"""Two or three formulas side by side stay so up to this many visible signs; the space between them counts too."""
+
+
 def assumptions(name: str) -> Markup:
     """List what a derivation assumes, where its result holds, and the equations of the paper it starts from."""
     record = derivation(name)
@@ -47,19 +51,30 @@ def _step(record: Derivation, number: int, step: Step) -> str:
     label = f"eq-{record.name.replace('_', '-')}-{number}"
     mark = f"✓ {found}" if step.claims else found
     return (f"{{.step}}\n[{number}]{{.step-number}} **{step.title}** [{mark}]{{.verdict}}\n\n"
-            f"{step.because}\n\n{_display(step.shown, label)}")
+            f"{step.because}\n\n{display(step.shown, label)}")
 
 
-def _display(formulas: Sequence[str], label: str) -> str:
-    """Set formulas under one number where they are short; else each alone, the last one numbered."""
+def display(formulas: Sequence[str], label: str) -> str:
+    """Set formulas under one number where they are short; else each alone, the last one numbered.
+
+    Formulas side by side that would not fit are set below one another.
+    """
     if not formulas:
         return ""
+    formulas = [part for formula in formulas for part in parts(formula)]
     if len(formulas) > 1 and max(map(_signs, formulas)) <= LONGEST_ALIGNED:
         environment, rows = _rows(formulas)
         below = " \\\\[3pt]\n".join(rows)
         return f"$$\n\\begin{{{environment}}}\n{below}\n\\end{{{environment}}}\n$$ ({label})\n"
     *before, final = formulas
     return "\n".join(f"$$\n{formula}\n$$\n" for formula in before) + f"\n$$\n{final}\n$$ ({label})\n"
+
+
+def parts(formula: str) -> list[str]:
+    """Take apart what stands side by side where it is too wide for a line."""
+    parts = formula.split(r"\qquad")
+    wide = _signs(formula) > (WIDEST_PAIR if len(parts) == 2 else WIDEST_TRIPLE)
+    return [part.strip() for part in parts] if wide else [formula]
 
 
 def _signs(formula: str) -> int:
