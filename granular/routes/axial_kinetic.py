@@ -21,18 +21,22 @@ from granular.routes.log_tangent import TANGENT, TANGENT_INVERSE, WIDEST
 from granular.routes.log_tangent_opening import closed_contacts, opened_range
 from granular.routes.rational import fractions_of, rounded
 from granular.routes.result import Six
-from granular.routes.slip_geometry import Sticking, slip_geometry
+from granular.routes.slip_geometry import Sliding, Sticking, slip_geometry
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
     from granular.loading import Loading
 
 POLE, EQUATOR = -21.0, 41.0
-"""log(tan(beta)) beyond which 2^-60 of a kinematic moment is left: contacts thin out like tan(beta)^2 towards the pole
-and like 1/tan(beta) towards the equator."""
+"""log(tan(beta)) beyond which 2^-60 of a moment is left: contacts thin out like tan(beta)^2 towards the pole and like
+1/tan(beta) towards the equator."""
 
-POLE_FORCES, EQUATOR_FORCES = -32.0, 123.0
+POLE_INVERSE, EQUATOR_INVERSE = -32.0, 123.0
 """The same where the inverse of a vanishing normal force lets moments grow by tan(beta)^(2/3) on the way."""
+
+POLE_SLIP, EQUATOR_SLIP = -26.0, 62.0
+"""The same for what slip takes from the shear stiffness, which may grow by tan(beta) where the force vanishes like
+tan(beta)^(2/3), on the way to a direction of vanishing force."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,17 +93,22 @@ def suitable_contacts(fabric: AxialFabric, loading: Loading, hypothesis: Hypothe
     a, c = loading.coefficients(fabric.D33)
     if hypothesis is Hypothesis.STATIC:
         loading.require_finite_compliance(fabric.D33)
-    low, high = _window(fabric, a, c, hypothesis)
+    slips = loading.slips(fabric.D33) and loading.friction != 0
+    low, high = _window(fabric, a, c, hypothesis, slips=slips)
     if loading.opens():
         return _opened(a, c, loading.friction, low, high)
-    if loading.friction is None or a == c or loading.friction == 0:
+    if not slips or loading.friction is None:
         rule = _plain_rule(low, high)
         normal = _normal(rule, float(a), float(c))
         slides = loading.friction == 0
         nothing, all_of_it = (0.0,) * len(rule), (1.0,) * len(rule)
         return ContactRule(rule, normal, nothing, all_of_it) if slides else ContactRule(rule, normal)
     geometry = slip_geometry(a, c, loading.friction)
-    nodes = list(_slip_nodes(geometry, low, high, TANGENT if hypothesis is Hypothesis.KINEMATIC else TANGENT_INVERSE))
+    smallest = TANGENT if hypothesis is Hypothesis.KINEMATIC else TANGENT_INVERSE
+    # singularities of the directions, of vanishing forces, of vanishing branches
+    places = [0.0, *([_place_of_forces(a, c)] if a > 0 and c > 0 else []),
+              *([_place_of_branches(fabric)] if hypothesis is Hypothesis.STATIC else [])]
+    nodes = list(_slip_nodes(geometry, low, high, smallest, places))
     rule = _rule_of((t, measure) for t, measure, _, _ in nodes)
     return ContactRule(rule, _normal(rule, float(a), float(c)), tuple(node[2] for node in nodes),
                        tuple(node[3] for node in nodes))
@@ -213,35 +222,55 @@ def _moments(fabric: AxialFabric, rule: AxialRule, weight: list[float]) -> list[
     return [sum((e * averages[j + k] for j, e in enumerate(density_of(fabric))), Fraction(0)) for k in range(3)]
 
 
-def _window(fabric: AxialFabric, a: Fraction, c: Fraction, hypothesis: Hypothesis) -> tuple[float, float]:
+def _window(fabric: AxialFabric, a: Fraction, c: Fraction, hypothesis: Hypothesis, *,
+            slips: bool) -> tuple[float, float]:
     """Range of log(tan(beta)) that matters, in whole units."""
     if hypothesis is Hypothesis.KINEMATIC:
-        return POLE, EQUATOR
-    low, high = POLE, EQUATOR
-    if a != c:
-        forces = (math.log(c) - math.log(a)) / 2 if a > 0 and c > 0 else math.inf if c > a else -math.inf
-        low = max(POLE_FORCES, POLE + min(0.0, forces)) if c < a else POLE
-        high = min(EQUATOR_FORCES, EQUATOR + max(0.0, forces))
-    branches = (math.log(1 + fabric.Dr33) - math.log(1 - fabric.Dr33 / 2)) / 2
+        return (POLE_SLIP, EQUATOR_SLIP) if slips else (POLE, EQUATOR)
+    forces, branches = _place_of_forces(a, c), _place_of_branches(fabric)
+    if slips:
+        return math.floor(POLE + min(0.0, forces, branches)), math.ceil(EQUATOR + max(0.0, forces, branches))
+    low, high = max(POLE_INVERSE, POLE + min(0.0, forces)), min(EQUATOR_INVERSE, EQUATOR + max(0.0, forces))
     return math.floor(low + min(0.0, branches)), math.ceil(high + max(0.0, branches))
 
 
-def _slip_nodes(geometry: object, low: float, high: float, smallest: float) -> Iterator[log_tangent.Node]:
+def _place_of_forces(a: Fraction, c: Fraction) -> float:
+    """log(tan(beta)) at which the normal force has its singularity."""
+    if a > 0 and c > 0:
+        return (math.log(c) - math.log(a)) / 2
+    return math.inf if c > a else -math.inf
+
+
+def _place_of_branches(fabric: AxialFabric) -> float:
+    """log(tan(beta)) at which the branch length has its singularity, which matters where it is in a denominator."""
+    return (math.log(1 + fabric.Dr33) - math.log(1 - fabric.Dr33 / 2)) / 2
+
+
+def _slip_nodes(geometry: Sticking | Sliding, low: float, high: float, smallest: float,
+                places: list[float]) -> Iterator[log_tangent.Node]:
     if isinstance(geometry, Sticking):
-        r = max(sqrt(geometry.delta / 2), smallest)
-        yield from log_tangent.sticking(geometry.center, low, high, r=r, delta=geometry.delta, kappa=geometry.kappa)
+        r, middle = max(sqrt(geometry.delta / 2), smallest), math.log(geometry.center)
+        yield from log_tangent.sticking(
+            geometry.center, low, high, r=r, delta=geometry.delta, kappa=geometry.kappa,
+            singular=max(abs(place - middle) for place in places))
         return
-    pole, equator, rho = geometry.pole, geometry.equator, min(geometry.rho, WIDEST)  # type: ignore[attr-defined]
-    if rho < smallest:
-        yield from log_tangent.sticking(sqrt(pole) * sqrt(equator), low, high, r=smallest, delta=0.0, kappa=1.0)
+    pole, equator, rho = geometry.pole, geometry.equator, min(geometry.rho, WIDEST)
+    if pole is not None and equator is not None and rho < smallest:
+        touching = Sticking(center=sqrt(pole) * sqrt(equator), kappa=1.0, delta=0.0)
+        yield from _slip_nodes(touching, low, high, smallest, places)
         return
     if pole is not None:
-        yield from log_tangent.beside(pole, min(low, math.log(pole) + POLE), rho=rho, outward=False)
+        edge = math.log(pole)
+        yield from log_tangent.beside(pole, min(low, edge + POLE), rho=rho, outward=False,
+                                      singular=max(0.0, edge - min(places)))
     if equator is not None:
-        yield from log_tangent.beside(equator, max(high, math.log(equator) + EQUATOR), rho=rho, outward=True)
+        edge = math.log(equator)
+        yield from log_tangent.beside(equator, max(high, edge + EQUATOR), rho=rho, outward=True,
+                                      singular=max(0.0, max(places) - edge))
     first, last = max(pole or 0.0, math.exp(low)), min(equator or math.inf, math.exp(high))
     if first < last:
-        yield from log_tangent.between(first, last)
+        middle = (math.log(first) + math.log(last)) / 2
+        yield from log_tangent.between(first, last, singular=max(abs(place - middle) for place in places))
 
 
 @lru_cache(maxsize=64)
@@ -249,7 +278,7 @@ def _plain_rule(low: float, high: float) -> AxialRule:
     """Nodes for contacts that do not slip; they do not depend on the forces."""
     half = math.sqrt(0.5)
     return _rule_of((t, measure) for t, measure, _, _ in log_tangent.sticking(
-        1.0, low, high, r=half, delta=1.0, kappa=0.0))
+        1.0, low, high, r=half, delta=1.0, kappa=0.0, singular=math.inf))
 
 
 def _rule_of(nodes: Iterable[tuple[float, float]]) -> AxialRule:

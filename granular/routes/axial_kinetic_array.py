@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from granular.hypothesis import Hypothesis
-from granular.routes.axial_kinetic import EQUATOR, EQUATOR_FORCES, POLE, POLE_FORCES
+from granular.routes.axial_kinetic import EQUATOR, EQUATOR_INVERSE, EQUATOR_SLIP, POLE, POLE_INVERSE, POLE_SLIP
 from granular.routes.log_tangent import TANGENT, TANGENT_INVERSE
 from granular.routes.log_tangent_array import ENTRIES, beside, between, directions, sticking
 from granular.routes.slip_geometry_array import Geometry, forces, slip_geometry
@@ -200,13 +200,14 @@ def _add_slipping(result: Array, elements: Elements, geometry: Geometry, members
     """Add the arcs of the elements whose contacts carry shear forces."""
     smallest = TANGENT if hypothesis is Hypothesis.KINEMATIC else TANGENT_INVERSE
     here = elements.of(members)
-    low, high = _window(here, hypothesis)
+    places = _places(here, hypothesis)
+    low, high = _window(places, hypothesis)
     rho = np.sqrt(np.maximum(-geometry.left / 2, 0.0))
     wide = rho >= smallest
     for arc in (arc for outward in (False, True) for arc in (
-            sticking(geometry, ~wide, low, high, smallest, outward=outward),
-            beside(geometry, wide, low, high, rho, outward=outward),
-            between(geometry, wide, low, high, outward=outward))):
+            sticking(geometry, ~wide, low, high, smallest, places, outward=outward),
+            beside(geometry, wide, low, high, rho, places, outward=outward),
+            between(geometry, wide, low, high, places, outward=outward))):
         for index, t, measure, chi, gamma in arc.blocks():
             s, y, weight = directions(t, measure)
             sums = _weighted(here.of(index), s, y, weight, hypothesis, chi, gamma)
@@ -214,16 +215,20 @@ def _add_slipping(result: Array, elements: Elements, geometry: Geometry, members
                 result[row][:, members[index]] += moment.T
 
 
-def _window(elements: Elements, hypothesis: Hypothesis) -> tuple[Array, Array]:
-    """Range of log(tan(beta)) that matters, as in ``axial_kinetic``."""
-    zero = np.zeros_like(elements.a)
+def _places(elements: Elements, hypothesis: Hypothesis) -> Array:
+    """log(tan(beta)) of the singularities, as in ``axial_kinetic``."""
+    places = [np.zeros_like(elements.a), (np.log(elements.c) - np.log(elements.a)) / 2]
+    if hypothesis is Hypothesis.STATIC:
+        places.append((np.log(elements.w1) - np.log(elements.w0)) / 2)
+    return np.array(places)
+
+
+def _window(places: Array, hypothesis: Hypothesis) -> tuple[Array, Array]:
+    """Range of log(tan(beta)) that matters where contacts slip, as in ``axial_kinetic``."""
     if hypothesis is Hypothesis.KINEMATIC:
-        return zero + POLE, zero + EQUATOR
-    tilt = (np.log(elements.c) - np.log(elements.a)) / 2
-    branches = (np.log(elements.w1) - np.log(elements.w0)) / 2
-    low = np.maximum(POLE_FORCES, POLE + np.minimum(tilt, 0.0))
-    high = np.minimum(EQUATOR_FORCES, EQUATOR + np.maximum(tilt, 0.0))
-    return low + np.minimum(branches, 0.0), high + np.maximum(branches, 0.0)
+        zero = np.zeros_like(places[0])
+        return zero + POLE_SLIP, zero + EQUATOR_SLIP
+    return POLE + places.min(axis=0), EQUATOR + places.max(axis=0)
 
 
 @lru_cache(maxsize=1)
@@ -243,7 +248,8 @@ def _plain_rule(hypothesis: Hypothesis) -> tuple[Array, Array, Array]:
     from granular.routes import log_tangent
 
     reach = 19.0  # log(w1/w0)/2 of the most unequal branches that doubles can express
-    low, high = (POLE, EQUATOR) if hypothesis is Hypothesis.KINEMATIC else (POLE_FORCES - reach,
-                                                                            EQUATOR_FORCES + reach)
-    nodes = np.array([node[:2] for node in log_tangent.sticking(1.0, low, high, r=np.sqrt(0.5), delta=1.0, kappa=0.0)])
+    low, high = (POLE, EQUATOR) if hypothesis is Hypothesis.KINEMATIC else (POLE_INVERSE - reach,
+                                                                            EQUATOR_INVERSE + reach)
+    nodes = np.array([node[:2] for node in log_tangent.sticking(
+        1.0, low, high, r=np.sqrt(0.5), delta=1.0, kappa=0.0, singular=np.inf)])
     return directions(nodes[:, 0], nodes[:, 1])

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from granular.routes.axial_kinetic import EQUATOR, POLE
-from granular.routes.log_tangent import LONGEST, STEP, STEPS, WIDEST, exponentials
+from granular.routes.log_tangent import WIDEST
+from granular.routes.log_tangent_tables import FIRST, ROOM, STEADY, STEP, STEPS, hyperbolic, one_sided
 from granular.routes.slip_geometry_array import Geometry
 
 if TYPE_CHECKING:
@@ -72,8 +73,8 @@ class Arc:
             yield self.index[block], *self.nodes(block, numbers)
 
 
-def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Array, smallest: float, *,
-             outward: bool) -> Arc:
+def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Array, smallest: float,
+             places: Array, *, outward: bool) -> Arc:
     """Half of the directions of elements whose contacts all stick, or whose sliding range is too narrow to matter.
 
     Parameters
@@ -86,6 +87,8 @@ def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Ar
         Range of log(tan(beta)) that matters [-].
     smallest : float
         Smallest scale of the map [-].
+    places : (m, n) array
+        log(tan(beta)) of the singularities [-].
     outward : bool
         True for the half from the direction nearest to sliding towards the equator.
 
@@ -101,11 +104,13 @@ def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Ar
     left = np.maximum(g.left, 0.0)
     r = np.maximum(np.sqrt(left / 2), smallest)
     middle = np.log(g.center)
+    start = _start_after(np.arcsinh(_singular_sine(np.abs(places[:, index] - middle).max(axis=0)) / r))
     near, far = ((end[index] - middle) * (1 if outward else -1) for end in ((low, high) if outward else (high, low)))
-    first, last = (np.arcsinh(np.sinh(end / 2) / r) for end in (near, far))
+    first, last = (_reached(np.arcsinh(np.sinh(end / 2) / r), start) for end in (near, far))
+    table, row = _tables(hyperbolic, start)
 
     def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
-        sine, cosine = _hyperbolic(numbers)
+        sine, cosine = table[:, row[block, None], np.minimum(numbers, table.shape[2] - 1)]
         growth, rate, chi, gamma = sticking_node(sine, cosine, *(part[block, None] for part in (r, left, g.kappa)))
         center = g.center[block, None]
         return (center * growth if outward else center / growth), rate * STEP, chi, gamma
@@ -113,8 +118,8 @@ def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Ar
     return _half(index, first, last, nodes)
 
 
-def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, rho: Array, *,
-            outward: bool) -> Arc:
+def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, rho: Array, places: Array, *,
+           outward: bool) -> Arc:
     """Sticking contacts beyond the sliding range (towards the equator), or before it (towards the pole).
 
     Parameters
@@ -127,6 +132,8 @@ def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array,
         Range of log(tan(beta)) that matters [-].
     rho : (n,) array
         Hyperbolic sine of a quarter of the width of the range [-].
+    places : (m, n) array
+        log(tan(beta)) of the singularities [-].
     outward : bool
         True towards the equator.
 
@@ -142,20 +149,24 @@ def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array,
     at, scale = np.clip(edge[index], 1 / FARTHEST, FARTHEST), np.minimum(rho[index], WIDEST)
     log_edge = np.log(at)
     end = np.maximum(high[index], log_edge + EQUATOR) if outward else np.minimum(low[index], log_edge + POLE)
-    psi = 2 * np.arcsinh(scale)
-    last = np.arccosh(np.maximum(1.0, np.sinh(np.minimum(psi + np.abs(end - log_edge), 1300.0) / 2) / scale))
+    psi, beyond = 2 * np.arcsinh(scale), (places[:, index] - log_edge) * (1 if outward else -1)
+    start = _start_after(np.arcsinh(_singular_sine(psi + np.maximum(beyond.max(axis=0), 0.0)) / scale))
+    last = _reached(np.arccosh(np.maximum(1.0, np.sinh(np.minimum(psi + np.abs(end - log_edge), 1300.0) / 2) / scale)),
+                    start)
+    table, row = _tables(one_sided, start)
 
     def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
-        grown = _exponentials(numbers)
+        grown, pace = table[:, row[block, None], np.minimum(numbers, table.shape[2] - 1)]
         p = grown * grown / (2 * (1 + grown))
-        growth, rate, chi, gamma = beside_node(p, p * (2 + grown) / (1 + grown), scale[block, None])
+        growth, rate, chi, gamma = beside_node(p, p * (2 + grown) / (1 + grown) * pace, scale[block, None])
         edges = at[block, None]
         return (edges * growth if outward else edges / growth), rate * STEP, chi, gamma
 
-    return Arc(index, _floor(np.full(index.shape, -21.0)), _ceil(last), nodes)
+    return Arc(index, np.zeros(index.shape, dtype=np.intp), np.ceil((last - FIRST) * STEPS).astype(np.intp), nodes)
 
 
-def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, *, outward: bool) -> Arc:
+def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, places: Array, *,
+            outward: bool) -> Arc:
     """Half of the sliding contacts, as far as they matter.
 
     Parameters
@@ -166,6 +177,8 @@ def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array
         The elements to take [-].
     low, high : (n,) array
         Range of log(tan(beta)) that matters [-].
+    places : (m, n) array
+        log(tan(beta)) of the singularities [-].
     outward : bool
         True for the half from the middle of the range towards the equator.
 
@@ -183,10 +196,13 @@ def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array
     edge = np.sqrt(np.sqrt(last / first))
     center, rho = np.sqrt(first) * np.sqrt(last), (edge - 1) * (edge + 1) / (2 * edge)
     reach = np.sqrt(1 + rho * rho)
-    far = np.log(reach) + 21.5
+    singular = np.minimum(np.abs(places[:, index] - np.log(center)).max(axis=0), 2 * np.log(edge))
+    start = _start_after(np.arcsinh(1.5 * _singular_sine(singular)))
+    far = _reached(np.log(reach) + 21.5, start)
+    table, row = _tables(hyperbolic, start)
 
     def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
-        sine, cosine = _hyperbolic(numbers)
+        sine, cosine = table[:, row[block, None], np.minimum(numbers, table.shape[2] - 1)]
         growth, rate = between_node(sine, cosine, rho[block, None], reach[block, None])
         middle = center[block, None]
         return (middle * growth if outward else middle / growth), rate * STEP, NOTHING, ALL
@@ -209,24 +225,37 @@ def _ceil(value: Array) -> Index:
     return np.ceil(value * STEPS - 0.5).astype(np.intp)
 
 
-@lru_cache(maxsize=1)
-def _tables() -> tuple[Array, Array, Array]:
-    """Tabulate exp, sinh and cosh of (j + 1/2) step for j = -n ... n - 1."""
-    upper = np.array(exponentials())
-    grown = np.concatenate([1 / upper[::-1], upper])
-    angle = (np.arange(upper.size) + 0.5) / STEPS
-    sine = np.where(upper < 3, np.sinh(np.minimum(angle, 2.0)), (upper - 1 / upper) / 2)
-    cosine = (upper + 1 / upper) / 2
-    return grown, np.concatenate([-sine[::-1], sine]), np.concatenate([cosine[::-1], cosine])
+def _singular_sine(distance: Array) -> Array:
+    """Modulus of sinh(sigma/2) at the singularities, as in ``log_tangent``."""
+    result: Array = np.sqrt(np.cosh(np.minimum(distance, 700.0)) / 2)
+    return result
 
 
-def _exponentials(numbers: Index) -> Array:
-    return _tables()[0][numbers + LONGEST * STEPS]
+def _start_after(singular: Array) -> Index:
+    """Where nodes may begin to hurry, as in ``log_tangent_tables``."""
+    return np.clip(np.ceil(np.minimum(singular, STEADY) + ROOM), 2, STEADY).astype(np.intp)
 
 
-def _hyperbolic(numbers: Index) -> tuple[Array, Array]:
-    _, sine, cosine = _tables()
-    return sine[numbers + LONGEST * STEPS], cosine[numbers + LONGEST * STEPS]
+def _reached(v: Array, start: Index) -> Array:
+    """Value of w at which the nodes have passed v, as in ``log_tangent_tables``."""
+    return np.copysign(np.minimum(np.abs(v), start + np.log1p(np.abs(v))), v)
+
+
+def _tables(make: Callable[[int], tuple[tuple[float, float], ...]], start: Index) -> tuple[Array, Index]:
+    """Stack the tables of all starts, (2, starts, nodes), and say which row is whose; past its end a table weighs 0."""
+    starts, row = np.unique(start, return_inverse=True)
+    columns = [_columns(make, int(one)) for one in starts]
+    longest = max((column.shape[1] for column in columns), default=0)
+    table = np.zeros((2, starts.size, longest + 1))
+    for place, column in enumerate(columns):
+        table[:, place, :column.shape[1]] = column
+        table[0, place, column.shape[1]:] = column[0, -1]
+    return table, row
+
+
+@lru_cache(maxsize=512)
+def _columns(make: Callable[[int], tuple[tuple[float, float], ...]], start: int) -> Array:
+    return np.array(make(start)).T
 
 
 def directions(t: Array, measure: Array) -> tuple[Array, Array, Array]:

@@ -14,7 +14,8 @@ from decimal import Decimal, localcontext
 from fractions import Fraction
 from math import cbrt, sqrt
 
-from granular.routes.log_tangent import STEP, _exponential, _half_sinh, _hyperbolic, _range
+from granular.routes.log_tangent import half_sinh, node_range
+from granular.routes.log_tangent_tables import STEADY, STEP, exponential, hyperbolic
 from granular.routes.slip_geometry import _DIGITS, _decimal
 
 Opened = tuple[float, float, float, float, float]
@@ -102,8 +103,8 @@ def _sticking(where: OpenedRange, end: float) -> Iterator[Opened]:
     u0, u1 = where.edge, where.slip_edge
     farthest = max(end, math.log(u1) + 41.0)
     narrow = math.log(where.gap / u1) if 0 < where.gap < u1 else 0.0
-    for j in _range(narrow - 42.0, (farthest - math.log(u1)) / 2):
-        grown = _exponential(j)
+    for j in node_range(narrow - 42.0, (farthest - math.log(u1)) / 2):
+        grown = exponential(j)
         beyond = u1 * grown * (2 + grown)
         u = u1 + beyond
         above = beyond + where.gap
@@ -117,12 +118,14 @@ def _sliding(where: OpenedRange) -> Iterator[Opened]:
     """From u0 to u1, by the map of a sliding range; the distance from u0 is formed from that of the mapped ends."""
     u0 = where.edge
     width = math.log1p(where.gap / u0) / 2  # sigma reaches from -width to width
-    rho = _half_sinh(width)
+    rho = half_sinh(width)
     across = sqrt(1 + rho * rho)
     reach = sqrt(1 + rho * rho)
     far = math.log(reach) + 31.0
-    for j in _range(-far, far):
-        sine, cosine = _hyperbolic(j)
+    table = hyperbolic(STEADY)
+    for j in node_range(-far, far):
+        sine, cosine = table[j if j >= 0 else -1 - j]
+        sine = sine if j >= 0 else -sine
         under = sqrt(reach * reach + sine * sine)
         q = rho * sine / under
         root = sqrt(1 + q * q)
