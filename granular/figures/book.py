@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
@@ -251,9 +250,8 @@ def hard_cases(cases: Sequence[Compared] | None = None) -> Static:
     from granular.figures.hard_case_plot import hard_cases as draw
     from granular.figures.page import Static
 
-    return Static(draw(_named_corpus() if cases is None else cases))
+    if cases is None:
+        from granular.checks.hard_cases import comparison
 
-
-def _named_corpus() -> Sequence[Compared]:
-    corpus: Sequence[Compared] = import_module("granular.checks.hard_cases").comparison()
-    return corpus
+        cases = comparison()
+    return Static(draw(cases))

@@ -147,5 +147,5 @@ def _without_value(error: float) -> str:
     if math.isnan(error):
         return "no number"
     if math.isinf(error):
-        return "overflow"
+        return "no bound"
     return f"{error:.3g} times" if error < 1000 else f"$10^{{{math.floor(math.log10(error))}}}$ times"

@@ -37,7 +37,7 @@ def test_marks_stand_at_their_errors_and_the_worst_on_top():
     assert axes.yaxis_inverted()
 
 
-@pytest.mark.parametrize(("error", "words"), [(math.inf, "overflow"), (math.nan, "no number"), (40.0, "40 times"),
+@pytest.mark.parametrize(("error", "words"), [(math.inf, "no bound"), (math.nan, "no number"), (40.0, "40 times"),
                                               (4e7, "$10^{7}$ times")])
 def test_a_result_that_is_no_number_says_why(error, words):
     # an overflow that looks like an error of 30

@@ -27,9 +27,10 @@ MOST = {Hypothesis.KINEMATIC: 2e-15, Hypothesis.STATIC: 4e-15}
 def test_stable_and_naive(compared: HardComparison) -> None:
     """The package has lost digits on a hard input, or the naive way is no longer as wrong as the corpus says."""
     assert compared.stable_error <= MOST[compared.case.hypothesis]
-    assert compared.naive_error >= compared.case.off_by > 100 * MOST[compared.case.hypothesis]
+    assert not compared.naive_error < compared.case.off_by
+    assert compared.case.off_by > 100 * MOST[compared.case.hypothesis]
     assert compared.as_stated
-    assert math.isinf(compared.case.off_by) == math.isinf(compared.naive_error)
+    assert math.isinf(compared.case.off_by) == (not math.isfinite(compared.naive_error))
 
 
 @pytest.mark.parametrize("case", [case for case in CASES if case.scale is None], ids=lambda case: case.name)
@@ -118,6 +119,7 @@ def test_the_printed_slip_of_a_negative_stiffness() -> None:
 
 def test_relative_errors_of_what_is_no_number() -> None:
     """NaN counts as right, or a number passes for zero."""
-    assert relative_error(math.nan, Fraction(1)) == relative_error(math.inf, Fraction(1)) == math.inf
+    assert math.isnan(relative_error(math.nan, Fraction(1)))
+    assert relative_error(math.inf, Fraction(1)) == math.inf
     assert relative_error(1e-300, Fraction(0)) == math.inf
     assert relative_error(0.0, Fraction(0)) == 0.0
