@@ -9,10 +9,14 @@ import re
 from pathlib import Path
 
 import pytest
-from page_tools.markup import boxed, plain, table
+from page_tools.emitted import PAGE_OF
+from page_tools.formulas import of_steps
+from page_tools.markup import boxed, numbers_to_take_away, plain, table
+from page_tools.paper_kinetic import panel_counts, printed_ratios, verdicts, which_panels
 from page_tools.provenance import DATA_FILES
 from page_tools.refusals import refused
-from page_tools.steps import assumptions, steps
+from page_tools.slip_rule import NODES, STATES, errors, predicted
+from page_tools.steps import assumptions, display, parts, steps
 
 from derivations.catalogue import derivation, names
 from granular import AxialFabric
@@ -58,6 +62,74 @@ def test_a_refusal_that_does_not_happen_is_noticed() -> None:
         refused("G-FAB-01", lambda: AxialFabric(D33=0.3))
     with pytest.raises(AssertionError, match="expected G-FAB-02"):
         refused("G-FAB-02", lambda: AxialFabric(D33=2.3))
+
+
+def taken_away(text: str) -> list[list[str]]:
+    """Rows of the CSV file that a table or figure offers."""
+    data = re.search(r"base64,([A-Za-z0-9+/=]+)", text)
+    assert data is not None
+    return list(csv.reader(io.StringIO(base64.b64decode(data[1]).decode())))
+
+
+def test_numbers_of_a_figure_can_be_taken_away() -> None:
+    """Breaks when the CSV beside a figure loses a column, or digits that were asked for."""
+    text = numbers_to_take_away("x.csv", {"beta": (0.0, 90.0), "f": (1 / 3, 2e-9)}, digits=4).text
+    assert taken_away(text) == [["beta", "f"], ["0", "0.3333"], ["90", "2e-09"]]
+
+
+def test_a_table_can_offer_other_cells_than_it_shows() -> None:
+    """Breaks when a cell that holds two values on the page is not taken apart in the file."""
+    text = table(["a"], [["1<br>2"]], label="tab-z", caption="One.", take_away="z.csv",
+                 taken=[["a", "b"], ["1", "2"]]).text
+    assert taken_away(text) == [["a", "b"], ["1", "2"]]
+    assert "1<br>2" in text
+
+
+def test_wide_formulas_are_set_below_one_another() -> None:
+    """Breaks when formulas side by side run over the line, or short ones are torn apart."""
+    short = r"a = b,\qquad c = d"
+    wide = r"a = b + c + d + e + f + g + h + i + j,\qquad k = l + m + n + o + p + q + r + s"
+    assert parts(short) == [short]
+    assert parts(wide) == ["a = b + c + d + e + f + g + h + i + j,", "k = l + m + n + o + p + q + r + s"]
+
+
+def test_an_index_is_no_definition() -> None:
+    """Breaks when a formula is aligned at the equality sign of an index, which TeX cannot set."""
+    text = display([r"H\big|_{\delta=0} \to K", "a = b"], "eq-x")
+    assert "&" not in text
+    assert r"\begin{gathered}" in text
+
+
+def test_a_box_shows_formulas_of_the_record() -> None:
+    """Breaks when the result in a box is not what the derivation gives."""
+    step = derivation("contact_forces").steps[16]
+    assert step.shown[0] in of_steps("contact_forces", (17, 1), label="eq-y").text
+
+
+def test_every_derivation_has_its_page(book: Path) -> None:
+    """Breaks when a derivation is added and the formula sheet or the list of pages does not know it."""
+    sheet = (book / "formulas.md").read_text(encoding="utf-8")
+    for name in names():
+        page = (book / f"{PAGE_OF[name]}.md").read_text(encoding="utf-8")
+        assert name in page, name
+        assert f"_formulas/{name}.md" in sheet, name
+
+
+def test_printed_tables_are_explained(book: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Breaks when a printed ratio is no longer what 24 panels give, rounded or cut, or a misprint."""
+    monkeypatch.chdir(book)
+    found = [ratio for name in ("II", "III", "IV", "V") for ratio in printed_ratios(name)]
+    assert {ratio.verdict() for ratio in found} == {"rounded", "cut", "symmetry", "for 0.857", "for 0.774"}
+    assert len(taken_away(verdicts().text)) == 1 + 18
+    assert "24 alone" in which_panels(20, 30).text
+    assert taken_away(panel_counts(24, 24).text)[1] == ["24", "16", "2", "0", "16"]
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_the_rule_converges_as_predicted(state: str) -> None:
+    """Breaks when the error of the trapezoidal rule does not stay below its prediction until rounding is left."""
+    for nodes, error in zip(NODES, errors(STATES[state]), strict=True):
+        assert error < max(predicted(nodes), 1e-15)
 
 
 def test_every_data_file_is_listed(book: Path) -> None:

@@ -37,11 +37,11 @@ def printed_slip_table() -> Markup:
             case = ratios[0].case
             if "slip" not in case["effects"] or ratios[0].isotropic:
                 continue
-            rows.append([name, case["case"].rpartition(" = ")[2],
-                         *_ratios(_evaluate(case, _with_printed_slip)), *(f"{ratio.exact:.3f}" for ratio in ratios),
-                         *(ratio.meant for ratio in ratios)])
-    heads = [f"{name}, {which}" for which in ("(21) as printed", "(21) corrected", "tables") for name in _heads()]
-    return table(["table", "case", *heads], rows, label="tab-printed-slip", align="llrrrrrr",
+            rows += [[name, case["case"].rpartition(" = ")[2], typeset(ratio.name), wrong, f"{ratio.exact:.3f}",
+                      ratio.meant]
+                     for ratio, wrong in zip(ratios, _ratios(_evaluate(case, _with_printed_slip)), strict=True)]
+    return table(["table", "case", "ratio", "(21) as printed", "(21) corrected", "in the table"], rows,
+                 label="tab-printed-slip", align="lllrrr",
                  take_away="equation_21.csv",
                  caption="The cases with partial slip by equation (21) as printed and as corrected, beside the tables, "
                          "whose two misprints are corrected.")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -11,6 +12,12 @@ from granular.checks.hard_cases import HardComparison, comparison
 from granular.figures.page import Static
 from granular.routes.result import COMPONENTS
 from page_tools.markup import Markup, plain, table
+
+SYMBOLS = {"k_r/k_n": "k_r/k_n", "k_n": "k_n", "k_r": "k_r", "mu": r"\mu", "nu": r"\nu", "lambda_0": r"\lambda_0",
+           "sigma33/sigma11": r"\sigma_{33}/\sigma_{11}", "D33": "D_{33}", "G_s": "G_s"}
+"""Symbols in the words of the cases, as formulas."""
+
+_SYMBOL = re.compile(rf"\b(?:({'|'.join(map(re.escape, SYMBOLS))})|1e(-?\d+)|C(\d{{4}}))\b")
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,13 +53,19 @@ def hard_case_figure() -> Static:
 
 def hard_case_table() -> Markup:
     """List every case: why it is hard, its certified value, what a naive way gives, what the library gives."""
-    rows = [[plain(case.name), plain(case.why), _component(case.component), _number(float(case.certified)),
-             plain(case.naive_label), _number(case.naive), _size(_error(case)), _size(case.stable_error)]
+    rows = [[f"**{_set(case.name[0].upper() + case.name[1:])}.** {_set(case.why)}",
+             f"{_component(case.component)}<br>{_number(float(case.certified))}",
+             f"{_set(case.naive_label)}<br>{_number(case.naive)}", _size(_error(case)), _size(case.stable_error)]
             for case in compared()]
-    return table(["case", "why it is hard", "component", "certified", "naive way", "naive value", "its error",
-                  "error here"], rows, label="tab-hard-cases", align="lllrlrrr", take_away="hard_cases.csv",
-                 caption="Hard cases. Values over $(M/V)\\,\\ell_e^2 k_n^{\\circ}$, except where the component is this "
-                         "unit itself, in Pa. Errors are relative to the certified value.")
+    taken = [["case", "why it is hard", "component", "certified", "naive way", "naive value", "its error",
+              "error here"],
+             *([case.name, case.why, case.component, repr(float(case.certified)), case.naive_label, repr(case.naive),
+                f"{_error(case):.1e}", f"{case.stable_error:.1e}"] for case in compared())]
+    return table(["case, and why it is hard", "certified", "naive", "its error", "error here"], rows,
+                 label="tab-hard-cases", align="lllrr", take_away="hard_cases.csv", taken=taken, look="words-first",
+                 caption="Hard cases, with the component in question and its certified value, a naive way of computing "
+                         "and what it gives, and the relative errors of both. Values over "
+                         "$(M/V)\\,\\ell_e^2 k_n^{\\circ}$, except where this unit itself is in question, in Pa.")
 
 
 def hard_case_summary() -> Markup:
@@ -82,6 +95,17 @@ def _error(case: HardComparison) -> float:
     return math.nan if math.isnan(case.naive) else case.naive_error
 
 
+def _set(text: str) -> str:
+    """Set symbols and powers of ten in the words of a case as formulas."""
+    pieces, last = [], 0
+    for found in _SYMBOL.finditer(text):
+        symbol, power, index = found.groups()
+        formula = SYMBOLS[symbol] if symbol else f"10^{{{int(power)}}}" if power else f"C_{{{index}}}"
+        pieces += [plain(text[last:found.start()]), f"${formula}$"]
+        last = found.end()
+    return "".join([*pieces, plain(text[last:])])
+
+
 def _component(name: str) -> str:
     return f"$C_{{{name[1:]}}}$" if name in COMPONENTS else r"$(M/V)\,\ell_e^2 k_n^{\circ}$"
 
@@ -95,4 +119,6 @@ def _number(value: float) -> str:
 def _size(error: float) -> str:
     if math.isnan(error):
         return "no number"
-    return "–" if math.isinf(error) else f"{error:.1e}".replace("-", "−")
+    if math.isinf(error):
+        return "–"
+    return (f"{error:.2g}" if error == 0 or 0.01 <= error < 100 else f"{error:.1e}").replace("-", "−")

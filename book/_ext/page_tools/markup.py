@@ -52,7 +52,7 @@ def boxed(title: str, *parts: Shown) -> Markup:
 
 def table(
     header: Sequence[str], rows: Iterable[Sequence[str]], *, label: str, caption: str,
-    align: str = "", take_away: str = "",
+    align: str = "", take_away: str = "", taken: Sequence[Sequence[str]] = (), look: str = "",
 ) -> Markup:
     """Number a table so that pages can refer to it.
 
@@ -68,13 +68,19 @@ def table(
         One letter a column, ``l`` or ``r``; left when absent.
     take_away : str
         Name of a CSV file with the same rows, offered below the table; none when empty.
+    taken : sequence of sequence of str
+        Header and rows of that file where a cell of the table holds more than one value.
+    look : str
+        Class of the table in the style sheet.
     """
     kept = [list(row) for row in rows]
     rule = [":---" if side == "l" else "---:" for side in align or "l" * len(header)]
     lines = [header, rule, *kept]
     grid = "\n".join("| " + " | ".join(line) + " |" for line in lines)
-    link = _csv_link(take_away, header, kept) if take_away else ""
-    return Markup(f":::{{table}} {caption}\n:name: {label}\n\n{grid}\n\n:::\n{link}")
+    first, *others = taken or (header, *kept)
+    link = _csv_link(take_away, first, others) if take_away else ""
+    options = f":name: {label}\n" + (f":class: {look}\n" if look else "")
+    return Markup(f":::{{table}} {caption}\n{options}\n{grid}\n\n:::\n{link}")
 
 
 def _csv_link(name: str, header: Sequence[str], rows: Iterable[Sequence[str]], what: str = "these rows") -> str:

@@ -16,12 +16,12 @@ TABLES = {"II": "_data/table_ii.csv", "III": "_data/table_iii.csv", "IV": "_data
           "V": "_data/table_v.csv"}
 """Data files of the printed tables."""
 
-EFFECTS = {"packing branches": "constant contact stiffness", "packing branches kinetic": "contact forces, no slip",
-           "packing branches kinetic slip": "contact forces and slip"}
+EFFECTS = {"packing branches": "equal contacts", "packing branches kinetic": "forces",
+           "packing branches kinetic slip": "forces and slip"}
 """What the effects of a case amount to."""
 
-VARIED = {"D33": "D_{33}", "SR": r"\sigma_{33}/\sigma_{11}"}
-"""What the cases of Tables IV and V vary, as formulas."""
+VARIED = {"III": "case", "IV": "$D_{33}$", "V": r"$\sigma_{33}/\sigma_{11}$"}
+"""Head of the first column: what the cases of Tables IV and V vary."""
 
 GROSS = 0.1
 """No quadrature of these integrands with dozens of panels is off by so much: such a printed value is a misprint."""
@@ -60,8 +60,8 @@ class Printed:
     def verdict(self) -> str:
         """How the printed value came about."""
         if self.isotropic:
-            return "1 by symmetry"
-        return f"misprint of {self.meant}" if self.misprint else verdict(self.panels, self.printed)
+            return "symmetry"
+        return f"for {self.meant}" if self.misprint else verdict(self.panels, self.printed)
 
 
 def scene_of(case: dict[str, str]) -> Scene:
@@ -97,8 +97,8 @@ def printed_ratios(name: str) -> tuple[Printed, ...]:
 def table_of(name: str) -> Markup:
     """Compare exact, 24-panel and printed ratios of one table."""
     found = printed_ratios(name)
-    rows = [[_named(ratio), EFFECTS[ratio.case["effects"]], *_row(ratio)] for ratio in found]
-    return table(["case", "with", *_HEADER], rows, label=f"tab-table-{name.lower()}", align="lllrrrrl",
+    rows = [[_named(ratio, explained=True), *_row(ratio)] for ratio in found]
+    return table([VARIED[name], *_HEADER], rows, label=f"tab-table-{name.lower()}", align="llrrrrl",
                  take_away=f"table_{name.lower()}_compared.csv",
                  caption=f"Table {name} of the paper. Exact values are certified; their relative error is below "
                          f"{_tenfold(max(ratio.error for ratio in found))}.")
@@ -107,13 +107,14 @@ def table_of(name: str) -> Markup:
 def verdicts() -> Markup:
     """List all printed ratios of Tables II to V in one table."""
     found = list(_independent())
-    rows = [[ratio.table, _named(ratio), *_row(ratio)] for ratio in found]
+    rows = [[f"{ratio.table}, {_named(ratio)}", *_row(ratio)] for ratio in found]
     counts = Counter("misprint" if ratio.misprint else ratio.verdict() for ratio in found)
-    return table(["table", "case", *_HEADER], rows, label="tab-verdicts", align="lllrrrrl",
+    return table(["table, case", *_HEADER], rows, label="tab-verdicts", align="llrrrrl",
                  take_away="tables_ii_to_v_compared.csv",
                  caption=f"The {len(found)} printed ratios of Tables II to V: "
-                         f"{', '.join(f'{count} {kind}' for kind, count in counts.most_common())}. Left out are "
-                         "isotropic rows, and case 1 of Table III, which repeats case 3 of Table II.")
+                         f"{', '.join(f'{count} {kind}' for kind, count in counts.most_common())}. Cases of "
+                         "Table IV are values of $D_{33}$, those of Table V stress ratios. Left out are isotropic "
+                         "rows, and case 1 of Table III, which repeats case 3 of Table II.")
 
 
 def panel_counts(first: int, last: int) -> Markup:
@@ -154,18 +155,18 @@ def isotropic_by_panels() -> Markup:
                   "and V, where 1.000 is printed. Those rows need no computation, and were probably not computed.")
 
 
-_HEADER = ["ratio", "exact", f"{PANELS} panels", "printed", "printed − exact", f"from {PANELS} panels"]
+_HEADER = ["ratio", "exact", f"{PANELS} panels", "printed", "off by", "verdict"]
 
 
 def _row(ratio: Printed) -> list[str]:
     return [typeset(ratio.name), f"{ratio.exact:.6f}", f"{ratio.panels:.6f}", ratio.printed,
-            percent(float(ratio.printed) / ratio.exact - 1), ratio.verdict()]
+            "misprint" if ratio.misprint else percent(float(ratio.printed) / ratio.exact - 1), ratio.verdict()]
 
 
-def _named(ratio: Printed) -> str:
-    """Set the name of a case: a number, or the coefficient or stress ratio that is varied."""
-    varied, equals, value = ratio.case["case"].partition(" = ")
-    return f"${VARIED[varied]} = {value}$" if equals else varied
+def _named(ratio: Printed, *, explained: bool = False) -> str:
+    """Set the name of a case: a number, or the value that is varied."""
+    name = ratio.case["case"].rpartition(" = ")[2]
+    return f"{name}, {EFFECTS[ratio.case['effects']]}" if explained and ratio.table == "III" else name
 
 
 def _independent() -> Iterator[Printed]:

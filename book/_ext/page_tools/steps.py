@@ -11,12 +11,17 @@ from derivations.record import Derivation, Step
 from page_tools.markup import Markup
 
 _DEFINITION = re.compile(r"([^=<>,]{1,40}?)=(?!\s*0:)")
+_WIDE_GAP, _ANY_GAP = re.compile(r"(?<=[,;:])\s*\\qquad"), re.compile(r"(?<=[,;:])\s*\\qquad|(?<=,)\s*\\quad")
+"""What stands between formulas side by side."""
 LONGEST_ALIGNED = 66
 """Formulas up to this many visible signs are set below one another; longer ones stand alone and can be broken."""
 
 
-WIDEST_PAIR, WIDEST_TRIPLE = 42, 30
-"""Two or three formulas side by side stay so up to this many visible signs; the space between them counts too."""
+WIDEST_ROW = 39
+"""Formulas side by side stay so up to about this many signs and spaces in a line."""
+
+_FUNCTIONS = ("tan", "sin", "cos", "sinh", "cosh", "arctan", "ln", "exp", "max", "min", "iff", "dots", "dim")
+_WITHOUT_WIDTH = re.compile(r"\\(?:t?frac|left|right|mathrm|text|operatorname|sqrt|[bB]ig[lr]?|[,!;: ])")
 
 
 def assumptions(name: str) -> Markup:
@@ -72,9 +77,19 @@ def display(formulas: Sequence[str], label: str) -> str:
 
 def parts(formula: str) -> list[str]:
     """Take apart what stands side by side where it is too wide for a line."""
-    parts = formula.split(r"\qquad")
-    wide = _signs(formula) > (WIDEST_PAIR if len(parts) == 2 else WIDEST_TRIPLE)
-    return [part.strip() for part in parts] if wide else [formula]
+    for gap in (_ANY_GAP, _WIDE_GAP):
+        found = [part.strip() for part in gap.split(formula)]
+        if all("=" in part or part.endswith(":") for part in found):
+            break
+    sound = all("=" in part or part.endswith(":") for part in found)
+    return found if sound and _width(formula) > WIDEST_ROW else [formula]
+
+
+def _width(formula: str) -> int:
+    """Estimate how wide a formula is in signs, spaces between formulas among them."""
+    spaced = _WITHOUT_WIDTH.sub(" ", formula).replace(r"\qquad", "####").replace(r"\quad", "##")
+    named = re.sub(r"\\([a-zA-Z]+)", lambda found: "#" * (len(found[1]) if found[1] in _FUNCTIONS else 1), spaced)
+    return len(re.sub(r"[\\{}_^\s]", "", named))
 
 
 def _signs(formula: str) -> int:
@@ -84,6 +99,12 @@ def _signs(formula: str) -> int:
 
 def _rows(formulas: Sequence[str]) -> tuple[str, Sequence[str]]:
     """Align definitions at their equality signs; centre what is not all definitions."""
-    if all(_DEFINITION.match(formula) for formula in formulas):
+    if all(map(_is_definition, formulas)):
         return "aligned", [_DEFINITION.sub(r"\1&=", formula, count=1) for formula in formulas]
     return "gathered", formulas
+
+
+def _is_definition(formula: str) -> bool:
+    """Whether something stands left of an equality sign that is not part of an index."""
+    found = _DEFINITION.match(formula)
+    return found is not None and found[1].count("{") == found[1].count("}")
