@@ -46,7 +46,7 @@ def hard_case_figure() -> Static:
     for case in compared():
         if case.certified != 0:
             kept = worst.setdefault(case.naive_label, case)
-            worst[case.naive_label] = max(kept, case, key=lambda one: one.naive_error)
+            worst[case.naive_label] = max(kept, case, key=_badness)
     return figures.hard_cases([Drawn(case.name, case.naive_label, _error(case), case.stable_error)
                                for case in worst.values()])
 
@@ -89,6 +89,11 @@ def cube_root_trap() -> Markup:
                            loading=case.loading).components
     return Markup(f"$C_{{2323}}/C_{{1212}} = {wrong[across] / wrong[along]:.3f}$ instead of "
                   f"${right[across] / right[along]:.3f}$.")
+
+
+def _badness(case: HardComparison) -> float:
+    """Order naive results; one that is no number is worst."""
+    return math.inf if math.isnan(case.naive) else case.naive_error
 
 
 def _error(case: HardComparison) -> float:
