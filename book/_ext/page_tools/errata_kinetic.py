@@ -9,7 +9,8 @@ from dataclasses import replace
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.loading import Loading
-from granular.routes.axial_kinetic import ContactRule, components_by_contacts, suitable_contacts
+from granular.routes.axial_kinetic import components_by_contacts
+from granular.routes.contact_rule import ContactRule, suitable_contacts
 from granular.routes.result import Six
 from page_tools.errata import PRINTED_TENSOR
 from page_tools.markup import Markup, table
@@ -76,7 +77,7 @@ def _with_printed_tensor(fabric: AxialFabric, loading: Loading) -> ContactRule:
     a = float(loading.sigma11) / (3 * mean * (of_delta - of_fabric * fabric.D33 / 2))
     c = float(loading.sigma33) / (3 * mean * (of_delta + of_fabric * fabric.D33))
     contacts = _as_it_must_be(fabric, loading)
-    rule = contacts.rule
+    rule = contacts.directions
     force = [a * s + c * y for s, y in zip(rule.sine_squared, rule.cosine_squared, strict=True)]
     return replace(contacts, normal=tuple(map(math.cbrt, force)))
 

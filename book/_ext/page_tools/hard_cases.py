@@ -61,7 +61,7 @@ def hard_case_table() -> Markup:
               "error here"],
              *([case.name, case.why, case.component, repr(float(case.certified)), case.naive_label, repr(case.naive),
                 f"{_error(case):.1e}", f"{case.stable_error:.1e}"] for case in compared())]
-    return table(["case, and why it is hard", "certified", "naive", "its error", "error here"], rows,
+    return table(["case, and why it is hard", "certified", "naive", "error", "error here"], rows,
                  label="tab-hard-cases", align="lllrr", take_away="hard_cases.csv", taken=taken, look="words-first",
                  caption="Hard cases, with the component in question and its certified value, a naive way of computing "
                          "and what it gives, and the relative errors of both. Values over "

@@ -12,9 +12,11 @@ from granular.generated import mohr_circle
 from granular.hypothesis import Hypothesis
 from granular.loading import Loading
 from granular.routes import certified
-from granular.routes.axial_kinetic import ContactRule, components_by_contacts
-from granular.routes.axial_rules import POWERS, AxialRule
+from granular.routes.axial_kinetic import components_by_contacts
+from granular.routes.contact_rule import ContactRule
 from granular.routes.log_tangent import TANGENT
+from granular.routes.log_tangent_tables import STEPS
+from granular.routes.meridian import Directions
 from granular.routes.slip_geometry import Sliding, Sticking, slip_geometry
 from page_tools.markup import Markup, numbers_to_take_away
 
@@ -25,8 +27,8 @@ STATES = {"every contact sticks": Loading.of_ratio(3, friction=0.75),
 """Three stresses on an isotropic packing; with mu = 3/4 the second is exactly at the onset of sliding."""
 
 COLOURS = dict(zip(STATES, (BLUE, GREEN, VERMILION), strict=True))
-NODES = tuple(range(2, 13))
-"""Nodes for each unit of the mapped variable; the library takes the last."""
+NODES = tuple(range(2, STEPS + 1))
+"""Nodes for each unit of the mapped variable; the library takes the last, and lets them hurry off in the tails."""
 
 FARTHEST, NEAREST = 50.0, 24.0
 """Ends of the mapped lines, beyond which less than rounding is left."""
@@ -81,14 +83,10 @@ def _contacts(loading: Loading, nodes: int) -> ContactRule:
     a, c = loading.coefficients(FABRIC.D33)
     assert loading.friction is not None, "the states have friction"
     rows = list(_rows(slip_geometry(a, c, loading.friction), nodes))
-    directions = [_direction(t) for t, *_ in rows]
-    sines, cosines = (tuple(part) for part in zip(*((s, y) for s, y in directions), strict=True))
-    weights = [measure * s * math.sqrt(y) for (_, measure, *_), (s, y) in zip(rows, directions, strict=True)]
-    columns = tuple(tuple(w * s ** (POWERS - 1 - m) * y**m for w, s, y in zip(weights, sines, cosines, strict=True))
-                    for m in range(POWERS))
-    normal = tuple(math.cbrt(float(a) * s + float(c) * y) for s, y in directions)
-    return ContactRule(AxialRule(sines, cosines, columns), normal, tuple(row[2] for row in rows),
-                       tuple(row[3] for row in rows))
+    directions = Directions.of_tangents((t, measure) for t, measure, *_ in rows)
+    normal = tuple(math.cbrt(float(a) * s + float(c) * y) for s, y in zip(
+        directions.sine_squared, directions.cosine_squared, strict=True))
+    return ContactRule(directions, normal, tuple(row[2] for row in rows), tuple(row[3] for row in rows))
 
 
 def _rows(geometry: Sticking | Sliding, nodes: int) -> Iterator[tuple[float, float, float, float]]:
@@ -115,8 +113,3 @@ def _rows(geometry: Sticking | Sliding, nodes: int) -> Iterator[tuple[float, flo
 
 def _equidistant(first: float, last: float, nodes: int) -> Iterator[float]:
     yield from ((j + 0.5) / nodes for j in range(math.floor(first * nodes), math.ceil(last * nodes)))
-
-
-def _direction(t: float) -> tuple[float, float]:
-    """Squared sine and cosine of the angle with the tangent t."""
-    return (t * t / (1 + t * t), 1 / (1 + t * t)) if t <= 1 else (1 / (1 + t**-2), t**-2 / (1 + t**-2))
