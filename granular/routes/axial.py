@@ -107,7 +107,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     declared = relative_error(fabric, loading)
     require_accuracy(NAME, declared, rtol)
     if loading is not None:
-        from granular.routes.axial_kinetic import components_by_contacts, suitable_contacts
+        from granular.routes.axial_kinetic import components_by_contacts
+        from granular.routes.contact_rule import suitable_contacts
 
         contacts = suitable_contacts(fabric, loading, hypothesis)
         six = components_by_contacts(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, contacts=contacts)
@@ -141,7 +142,7 @@ def nodes_of(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | Non
     """
     if loading is None:
         return len(suitable_rule(fabric, hypothesis))
-    from granular.routes.axial_kinetic import suitable_contacts
+    from granular.routes.contact_rule import suitable_contacts
 
     return len(suitable_contacts(fabric, loading, hypothesis))
 

@@ -1,150 +1,21 @@
 """The stiffness with contact forces, partial slip and opening by one rule along the meridian, for a single scene.
 
-Needs nothing but ``math``, fractions and decimals of the standard library; the twin for arrays is
-``axial_kinetic_array``.
+The twin for arrays is ``axial_kinetic_array``.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
-from math import cbrt, sqrt
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
-from granular.routes import log_tangent
-from granular.routes.axial_rules import POWERS, AxialRule
-from granular.routes.log_tangent import TANGENT, TANGENT_INVERSE, WIDEST
-from granular.routes.log_tangent_opening import closed_contacts, opened_range
+from granular.routes.axial import accurate_sum
 from granular.routes.rational import fractions_of, rounded
 from granular.routes.result import Six
-from granular.routes.slip_geometry import Sliding, Sticking, slip_geometry
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
-    from granular.loading import Loading
-
-POLE, EQUATOR = -21.0, 41.0
-"""log(tan(beta)) beyond which 2^-60 of a moment is left: contacts thin out like tan(beta)^2 towards the pole and like
-1/tan(beta) towards the equator."""
-
-POLE_INVERSE, EQUATOR_INVERSE = -32.0, 123.0
-"""The same where the inverse of a vanishing normal force lets moments grow by tan(beta)^(2/3) on the way."""
-
-POLE_SLIP, EQUATOR_SLIP = -26.0, 62.0
-"""The same for what slip takes from the shear stiffness, which may grow by tan(beta) where the force vanishes like
-tan(beta)^(2/3), on the way to a direction of vanishing force."""
-
-
-@dataclass(frozen=True, slots=True)
-class ContactRule:
-    """Directions with weights, and what the contacts do in each of them.
-
-    Attributes
-    ----------
-    rule : AxialRule
-        Directions and weights.
-    normal : tuple of float
-        k_n/k_n,ref at each node [-].
-    chi, gamma : tuple of float or None
-        (k_r/k_n)/lambda_0 and 1 minus that [-]; None where no contact slips.
-    """
-
-    rule: AxialRule
-    normal: tuple[float, ...]
-    chi: tuple[float, ...] | None = None
-    gamma: tuple[float, ...] | None = None
-
-    def __len__(self) -> int:
-        """Count the nodes."""
-        return len(self.rule)
-
-
-@lru_cache(maxsize=16)
-def suitable_contacts(fabric: AxialFabric, loading: Loading, hypothesis: Hypothesis) -> ContactRule:
-    """Choose the nodes for a fabric, a loading and a hypothesis.
-
-    Parameters
-    ----------
-    fabric : AxialFabric
-        Contact normals and branch lengths about axis 3 [-].
-    loading : Loading
-        Stress and friction.
-    hypothesis : Hypothesis
-        Kinematic or static.
-
-    Returns
-    -------
-    ContactRule
-        Nodes that integrate every moment to rounding.
-
-    Raises
-    ------
-    ComplianceInfinite
-        Static hypothesis with contacts that slide or have opened.
-
-    Notes
-    -----
-    Source: ``granular.routes.log_tangent``.
-    """
-    a, c = loading.coefficients(fabric.D33)
-    if hypothesis is Hypothesis.STATIC:
-        loading.require_finite_compliance(fabric.D33)
-    slips = loading.slips(fabric.D33) and loading.friction != 0
-    low, high = _window(fabric, a, c, hypothesis, slips=slips)
-    if loading.opens():
-        return _opened(a, c, loading.friction, low, high)
-    if not slips or loading.friction is None:
-        rule = _plain_rule(low, high)
-        normal = _normal(rule, float(a), float(c))
-        slides = loading.friction == 0
-        nothing, all_of_it = (0.0,) * len(rule), (1.0,) * len(rule)
-        return ContactRule(rule, normal, nothing, all_of_it) if slides else ContactRule(rule, normal)
-    geometry = slip_geometry(a, c, loading.friction)
-    smallest = TANGENT if hypothesis is Hypothesis.KINEMATIC else TANGENT_INVERSE
-    # singularities of the directions, of vanishing forces, of vanishing branches
-    places = [0.0, *([_place_of_forces(a, c)] if a > 0 and c > 0 else []),
-              *([_place_of_branches(fabric)] if hypothesis is Hypothesis.STATIC else [])]
-    nodes = list(_slip_nodes(geometry, low, high, smallest, places))
-    rule = _rule_of((t, measure) for t, measure, _, _ in nodes)
-    return ContactRule(rule, _normal(rule, float(a), float(c)), tuple(node[2] for node in nodes),
-                       tuple(node[3] for node in nodes))
-
-
-def contacts_at(rule: AxialRule, fabric: AxialFabric, loading: Loading) -> ContactRule:
-    """Evaluate the contact stiffness at the nodes of any rule, as eqs (20) and (21) stand.
-
-    Parameters
-    ----------
-    rule : AxialRule
-        Directions and weights.
-    fabric : AxialFabric
-        Contact normals and branch lengths about axis 3 [-].
-    loading : Loading
-        Stress and friction.
-
-    Returns
-    -------
-    ContactRule
-        The same nodes with what the contacts do there; next to the onset of sliding chi loses digits.
-
-    Notes
-    -----
-    Source: eqs (20), (21) and (23).
-    """
-    exact_a, exact_c = loading.coefficients(fabric.D33)
-    a, c, d = float(exact_a), float(exact_c), abs(float(exact_c - exact_a))
-    force = [max(a * s + c * y, 0.0) for s, y in zip(rule.sine_squared, rule.cosine_squared, strict=True)]
-    normal = tuple(map(cbrt, force))
-    if not loading.slips(fabric.D33):
-        return ContactRule(rule, normal)
-    left = [1 - d * sqrt(s * y) / (loading.friction * f) if loading.friction and f else 0.0
-            for s, y, f in zip(rule.sine_squared, rule.cosine_squared, force, strict=True)]
-    chi = tuple(cbrt(max(share, 0.0)) for share in left)
-    return ContactRule(rule, normal, chi, tuple(1 - share for share in chi))
+    from granular.routes.contact_rule import ContactRule
 
 
 def components_by_contacts(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
@@ -180,143 +51,32 @@ def components_by_contacts(fabric: AxialFabric, *, poisson_ratio: float, hypothe
 
     nu = Fraction(poisson_ratio)
     lam0, rest = (2 - 2 * nu) / (2 - nu), nu / (2 - nu)
-    weight = _fabric_weight(fabric, hypothesis, contacts.rule)
+    weight = contacts.directions.weight(fabric, hypothesis)
     if hypothesis is Hypothesis.KINEMATIC:
         along = list(map(float.__mul__, weight, contacts.normal))
-        p = _moments(fabric, contacts.rule, along)
+        p = _moments(contacts, along)
         q, lost = p, [Fraction(0)] * 3
         if contacts.chi is not None and contacts.gamma is not None:
-            q = _moments(fabric, contacts.rule, list(map(float.__mul__, along, contacts.chi)))
-            lost = _moments(fabric, contacts.rule, list(map(float.__mul__, along, contacts.gamma)))
+            q = _moments(contacts, list(map(float.__mul__, along, contacts.chi)))
+            lost = _moments(contacts, list(map(float.__mul__, along, contacts.gamma)))
         shear = [lam0 * moment for moment in q]
         apart = [rest * moment + lam0 * less for moment, less in zip(p, lost, strict=True)]
         return rounded(emitted.stiffness_from_weights(*fractions_of(*p, *shear, *apart[:2])))
     along = list(map(float.__truediv__, weight, contacts.normal))
-    u = _moments(fabric, contacts.rule, along)
+    u = _moments(contacts, along)
     v, more = u, [Fraction(0)] * 3
     if contacts.chi is not None and contacts.gamma is not None:
         yielding = list(map(float.__truediv__, along, contacts.chi))
-        v = _moments(fabric, contacts.rule, yielding)
-        more = _moments(fabric, contacts.rule, list(map(float.__mul__, yielding, contacts.gamma)))
+        v = _moments(contacts, yielding)
+        more = _moments(contacts, list(map(float.__mul__, yielding, contacts.gamma)))
     shear = [moment / lam0 for moment in v]
     apart = [(rest * moment + beyond) / lam0 for moment, beyond in zip(u, more, strict=True)]
     return rounded(emitted.stiffness_from_flexibilities(
         *fractions_of(*u, *shear, *apart[:2], fabric.D33)))
 
 
-def _fabric_weight(fabric: AxialFabric, hypothesis: Hypothesis, rule: AxialRule) -> list[float]:
-    """Return W^2, or W^-2, at the nodes."""
-    w0, w1 = 1 - Fraction(fabric.Dr33) / 2, 1 + Fraction(fabric.Dr33)
-    near0, near1 = float(w0), float(w1)
-    rest0, rest1 = float(w0 - Fraction(near0)), float(w1 - Fraction(near1))
-    branch = [near0 * s + (near1 * y + (rest0 * s + rest1 * y))
-              for s, y in zip(rule.sine_squared, rule.cosine_squared, strict=True)]
-    return [w * w for w in branch] if hypothesis is Hypothesis.KINEMATIC else [1 / (w * w) for w in branch]
-
-
-def _moments(fabric: AxialFabric, rule: AxialRule, weight: list[float]) -> list[Fraction]:
-    """<E weight s^(2-k) y^k>, k = 0, 1, 2; the density enters exactly."""
-    from granular.routes.axial import accurate_sum, density_of
-
-    averages = [accurate_sum(list(map(float.__mul__, weight, rule.columns[m]))) for m in range(POWERS)]
-    return [sum((e * averages[j + k] for j, e in enumerate(density_of(fabric))), Fraction(0)) for k in range(3)]
-
-
-def _window(fabric: AxialFabric, a: Fraction, c: Fraction, hypothesis: Hypothesis, *,
-            slips: bool) -> tuple[float, float]:
-    """Range of log(tan(beta)) that matters, in whole units."""
-    if hypothesis is Hypothesis.KINEMATIC:
-        return (POLE_SLIP, EQUATOR_SLIP) if slips else (POLE, EQUATOR)
-    forces, branches = _place_of_forces(a, c), _place_of_branches(fabric)
-    if slips:
-        return math.floor(POLE + min(0.0, forces, branches)), math.ceil(EQUATOR + max(0.0, forces, branches))
-    low, high = max(POLE_INVERSE, POLE + min(0.0, forces)), min(EQUATOR_INVERSE, EQUATOR + max(0.0, forces))
-    return math.floor(low + min(0.0, branches)), math.ceil(high + max(0.0, branches))
-
-
-def _place_of_forces(a: Fraction, c: Fraction) -> float:
-    """log(tan(beta)) at which the normal force has its singularity."""
-    if a > 0 and c > 0:
-        return (math.log(c) - math.log(a)) / 2
-    return math.inf if c > a else -math.inf
-
-
-def _place_of_branches(fabric: AxialFabric) -> float:
-    """log(tan(beta)) at which the branch length has its singularity, which matters where it is in a denominator."""
-    return (math.log(1 + fabric.Dr33) - math.log(1 - fabric.Dr33 / 2)) / 2
-
-
-def _slip_nodes(geometry: Sticking | Sliding, low: float, high: float, smallest: float,
-                places: list[float]) -> Iterator[log_tangent.Node]:
-    if isinstance(geometry, Sticking):
-        r, middle = max(sqrt(geometry.delta / 2), smallest), math.log(geometry.center)
-        yield from log_tangent.sticking(
-            geometry.center, low, high, r=r, delta=geometry.delta, kappa=geometry.kappa,
-            singular=max(abs(place - middle) for place in places))
-        return
-    pole, equator, rho = geometry.pole, geometry.equator, min(geometry.rho, WIDEST)
-    if pole is not None and equator is not None and rho < smallest:
-        touching = Sticking(center=sqrt(pole) * sqrt(equator), kappa=1.0, delta=0.0)
-        yield from _slip_nodes(touching, low, high, smallest, places)
-        return
-    if pole is not None:
-        edge = math.log(pole)
-        yield from log_tangent.beside(pole, min(low, edge + POLE), rho=rho, outward=False,
-                                      singular=max(0.0, edge - min(places)))
-    if equator is not None:
-        edge = math.log(equator)
-        yield from log_tangent.beside(equator, max(high, edge + EQUATOR), rho=rho, outward=True,
-                                      singular=max(0.0, max(places) - edge))
-    first, last = max(pole or 0.0, math.exp(low)), min(equator or math.inf, math.exp(high))
-    if first < last:
-        middle = (math.log(first) + math.log(last)) / 2
-        yield from log_tangent.between(first, last, singular=max(abs(place - middle) for place in places))
-
-
-@lru_cache(maxsize=64)
-def _plain_rule(low: float, high: float) -> AxialRule:
-    """Nodes for contacts that do not slip; they do not depend on the forces."""
-    half = math.sqrt(0.5)
-    return _rule_of((t, measure) for t, measure, _, _ in log_tangent.sticking(
-        1.0, low, high, r=half, delta=1.0, kappa=0.0, singular=math.inf))
-
-
-def _rule_of(nodes: Iterable[tuple[float, float]]) -> AxialRule:
-    """Turn tan(beta) and d(log tan(beta)) into directions and weights: dx = s sqrt(y) d(log tan(beta))."""
-    rows = []
-    for t, measure in nodes:
-        if t <= 1:
-            y = 1 / (1 + t * t)
-            s = t * t * y
-            root = sqrt(y)
-        else:
-            inverse = 1 / t
-            s = 1 / (1 + inverse * inverse)
-            y = inverse * inverse * s
-            root = inverse * sqrt(s)
-        weight = measure * s * root
-        rows.append((s, y, weight * s**4, weight * s**3 * y, weight * s * s * y * y, weight * s * y**3, weight * y**4))
-    sines, cosines, *columns = zip(*rows, strict=True)
-    return AxialRule(sines, cosines, tuple(columns))
-
-
-def _normal(rule: AxialRule, a: float, c: float) -> tuple[float, ...]:
-    return tuple(cbrt(a * s + c * y) for s, y in zip(rule.sine_squared, rule.cosine_squared, strict=True))
-
-
-def _opened(a: Fraction, c: Fraction, friction: float | None, low: float, high: float) -> ContactRule:
-    """Contacts are closed around the equator (c < 0), or around the pole (a < 0)."""
-    towards_equator = a > 0
-    pressed, pulled, end = (a, c, high) if towards_equator else (c, a, -low)
-    where = opened_range(pressed, pulled, friction or None)
-    nodes = list(closed_contacts(where, end))
-    rule = _rule_of((u if towards_equator else 1 / u, measure) for u, measure, *_ in nodes)
-    scale = float(pressed)
-    # force/(1 + u^2): 1/(1 + u^2) is y, or s where the coordinate is the inverse tangent
-    shrink = rule.cosine_squared if towards_equator else rule.sine_squared
-    normal = tuple(cbrt(scale * force * part) for (*_, force), part in zip(nodes, shrink, strict=True))
-    if friction is None:
-        return ContactRule(rule, normal)
-    if friction == 0:
-        return ContactRule(rule, normal, (0.0,) * len(nodes), (1.0,) * len(nodes))
-    return ContactRule(rule, normal, tuple(node[2] for node in nodes), tuple(node[3] for node in nodes))
+def _moments(contacts: ContactRule, weight: list[float]) -> list[Fraction]:
+    """Moments of a weight with s^2, s y and y^2."""
+    s, y = contacts.directions.sine_squared, contacts.directions.cosine_squared
+    across, along = list(map(float.__mul__, weight, s)), list(map(float.__mul__, weight, y))
+    return [accurate_sum(list(map(float.__mul__, part, form))) for part, form in ((across, s), (across, y), (along, y))]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from granular.routes.axial_kinetic import EQUATOR, POLE
+from granular.routes.contact_rule import EQUATOR, POLE
 from granular.routes.log_tangent import WIDEST
 from granular.routes.log_tangent_tables import FIRST, ROOM, STEADY, STEP, STEPS, hyperbolic, one_sided
 from granular.routes.slip_geometry_array import Geometry

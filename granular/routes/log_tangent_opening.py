@@ -16,7 +16,7 @@ from math import cbrt, sqrt
 
 from granular.routes.log_tangent import half_sinh, node_range
 from granular.routes.log_tangent_tables import STEADY, STEP, exponential, hyperbolic
-from granular.routes.slip_geometry import _DIGITS, _decimal
+from granular.routes.slip_geometry import DIGITS, decimal
 
 Opened = tuple[float, float, float, float, float]
 """u, measure d(sigma), chi, gamma, and the normal force times (1 + u^2)/b [-]."""
@@ -68,11 +68,11 @@ def opened_range(pressed: Fraction, pulled: Fraction, friction: float | None) ->
     >>> opened_range(Fraction(1), Fraction(-1, 4), None).edge
     0.5
     """
-    with localcontext(_DIGITS):
-        edge = _decimal(-pulled / pressed).sqrt()
+    with localcontext(DIGITS):
+        edge = decimal(-pulled / pressed).sqrt()
         if friction is None:
             return OpenedRange(float(edge), float(edge), 0.0, 0.0)
-        half = min(_decimal((pressed - pulled) / (2 * pressed * Fraction(friction))), Decimal(2) ** 450)
+        half = min(decimal((pressed - pulled) / (2 * pressed * Fraction(friction))), Decimal(2) ** 450)
         root = (half * half + edge * edge).sqrt()
         gap = half + half * half / (root + edge)
         return OpenedRange(float(edge), float(edge + gap), float(gap), float(2 * half))

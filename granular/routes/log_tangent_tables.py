@@ -11,8 +11,9 @@ from __future__ import annotations
 import math
 from functools import lru_cache
 
-STEPS = 12
-"""Nodes for each unit of w: exp(-2 pi (pi/4) 12) = 2e-26, times 1e7 for the high poles of the directions at t = +-i."""
+STEPS = 14
+"""Nodes for each unit of w: exp(-2 pi (pi/4) 14) = 1e-30 leaves room for the high poles of the directions at t = +-i,
+which multiply it by up to 1e9, and for the narrowing of the strip where nodes begin to hurry."""
 
 STEP = 1 / STEPS
 
@@ -22,8 +23,8 @@ LONGEST = 256
 STEADY = LONGEST
 """A start that no node reaches: the nodes stay equally spaced."""
 
-ROOM = 2.0
-"""Distance that nodes keep to the last singularity before they hurry: the strip is narrowed by an eighth there."""
+ROOM = 3.0
+"""Distance that nodes keep to the last singularity before they hurry: the strip is narrowed by a twentieth there."""
 
 EDGE = 2.0
 """Where nodes begin to hurry towards the edge of a sliding range, on the logarithmic scale that magnifies it."""

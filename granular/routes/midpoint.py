@@ -9,8 +9,10 @@ from granular.errors import RouteOutOfDomain
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import require_accuracy
 from granular.routes.axial import components_by_rule
-from granular.routes.axial_kinetic import components_by_contacts, contacts_at
+from granular.routes.axial_kinetic import components_by_contacts
 from granular.routes.axial_rules import POWERS, AxialRule
+from granular.routes.contact_rule import contacts_at
+from granular.routes.meridian import Directions
 from granular.routes.result import RouteResult
 
 if TYPE_CHECKING:
@@ -77,23 +79,27 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         raise RouteOutOfDomain(f"panels = {panels}", allowed=f"allowed {fewest} <= panels <= {most}",
                                remedy=f"Give {PRINTED_PANELS} panels for the digits of the printed tables.")
     require_accuracy(NAME, math.inf, rtol)
-    rule = _midpoint_rule(panels)
     if loading is None:
-        components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, rule=rule)
+        components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis,
+                                        rule=_midpoint_rule(panels))
     else:
         if hypothesis is Hypothesis.STATIC:
             loading.require_finite_compliance(fabric.D33)
         components = components_by_contacts(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis,
-                                            contacts=contacts_at(rule, fabric, loading))
+                                            contacts=contacts_at(_panels(panels), fabric, loading))
     return RouteResult(components, math.inf, panels)
 
 
-def _midpoint_rule(panels: int) -> AxialRule:
+def _panels(panels: int) -> Directions:
     """Half the sum over the panels is the average over 0 <= x <= 1."""
     angles = [(i + 0.5) * math.pi / panels for i in range(panels)]
-    sines = [math.sin(angle) ** 2 for angle in angles]
-    cosines = [math.cos(angle) ** 2 for angle in angles]
-    measures = [math.sin(angle) * math.pi / (2 * panels) for angle in angles]
-    columns = tuple(tuple(w * s ** (POWERS - 1 - m) * x2**m
-                          for w, s, x2 in zip(measures, sines, cosines, strict=True)) for m in range(POWERS))
-    return AxialRule(tuple(sines), tuple(cosines), columns)
+    return Directions(tuple(math.sin(angle) ** 2 for angle in angles), tuple(math.cos(angle) ** 2 for angle in angles),
+                      tuple(math.sin(angle) * math.pi / (2 * panels) for angle in angles))
+
+
+def _midpoint_rule(panels: int) -> AxialRule:
+    """The same with the products that contacts of equal stiffness need."""
+    nodes = _panels(panels)
+    rows = list(zip(nodes.measure, nodes.sine_squared, nodes.cosine_squared, strict=True))
+    columns = tuple(tuple(w * s ** (POWERS - 1 - m) * y**m for w, s, y in rows) for m in range(POWERS))
+    return AxialRule(nodes.sine_squared, nodes.cosine_squared, columns)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from decimal import Context, Decimal, localcontext
 from fractions import Fraction
 
-_DIGITS = Context(prec=50)
+DIGITS = Context(prec=50)
 """Working precision; its exponents reach far beyond those of doubles, so that nothing overflows on the way."""
 
 NEGLIGIBLE = Decimal(2) ** -160
@@ -74,23 +74,24 @@ def slip_geometry(a: Fraction, c: Fraction, friction: float) -> Sticking | Slidi
     >>> slip_geometry(Fraction(1), Fraction(4), 0.75)
     Sticking(center=2.0, kappa=1.0, delta=0.0)
     """
-    with localcontext(_DIGITS):
-        half_sum = _decimal(abs(c - a) / (2 * Fraction(friction)))  # (t1 + t2) a/2
+    with localcontext(DIGITS):
+        half_sum = decimal(abs(c - a) / (2 * Fraction(friction)))  # (t1 + t2) a/2
         if a == 0:
-            return Sliding(_pole(_decimal(c) / (2 * half_sum)), None, float("inf"))
+            return Sliding(_pole(decimal(c) / (2 * half_sum)), None, float("inf"))
         if c == 0:
-            return Sliding(None, _equator(2 * half_sum / _decimal(a)), float("inf"))
+            return Sliding(None, _equator(2 * half_sum / decimal(a)), float("inf"))
         ratio = (c - a) ** 2 / (4 * a * c * Fraction(friction) ** 2)  # kappa^2
-        kappa, center = _decimal(ratio).sqrt(), _decimal(c / a).sqrt()
-        left = _decimal(1 - ratio) / (1 + kappa)
+        kappa, center = decimal(ratio).sqrt(), decimal(c / a).sqrt()
+        left = decimal(1 - ratio) / (1 + kappa)
         if ratio <= 1:
             return Sticking(float(center), float(kappa), float(left))
-        spread = kappa + _decimal(ratio - 1).sqrt()
+        spread = kappa + decimal(ratio - 1).sqrt()
         rho = min((-left / 2).sqrt(), Decimal(2) ** 500)
         return Sliding(_pole(center / spread), _equator(center * spread), float(rho))
 
 
-def _decimal(value: Fraction) -> Decimal:
+def decimal(value: Fraction) -> Decimal:
+    """Turn a fraction into a decimal of the current context [-]."""
     return Decimal(value.numerator) / Decimal(value.denominator)
 
 

@@ -17,7 +17,7 @@ from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.loading import Loading
 from granular.routes import axial, closed_form, midpoint, sphere
-from granular.routes.axial_kinetic import suitable_contacts
+from granular.routes.contact_rule import suitable_contacts
 
 NU = 0.21
 TWELVE = math.tan(math.radians(12))

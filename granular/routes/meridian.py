@@ -1,0 +1,94 @@
+"""Directions along the meridian with their weights, and what the fabric is in each of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from decimal import Decimal, localcontext
+from fractions import Fraction
+from math import sqrt
+from typing import TYPE_CHECKING
+
+from granular.hypothesis import Hypothesis
+from granular.routes.axial import density_of
+from granular.routes.slip_geometry import DIGITS, decimal
+
+if TYPE_CHECKING:
+    from granular.fabric import AxialFabric
+
+
+@dataclass(frozen=True, slots=True)
+class Directions:
+    """Nodes of a rule for averages over 0 <= x <= 1.
+
+    Attributes
+    ----------
+    sine_squared, cosine_squared : tuple of float, (n,)
+        s = 1 - x^2 and x^2 at the nodes [-], each with full relative accuracy.
+    measure : tuple of float, (n,)
+        Weights [-].
+    """
+
+    sine_squared: tuple[float, ...]
+    cosine_squared: tuple[float, ...]
+    measure: tuple[float, ...]
+
+    def __len__(self) -> int:
+        """Count the nodes."""
+        return len(self.measure)
+
+    @classmethod
+    def of_tangents(cls, nodes: Iterable[tuple[float, float]]) -> Directions:
+        """Turn pairs of tan(beta) and d(log tan(beta)) into directions: dx = s sqrt(y) d(log tan(beta))."""
+        rows = []
+        for t, measure in nodes:
+            if t <= 1:
+                y = 1 / (1 + t * t)
+                s = t * t * y
+                root = sqrt(y)
+            else:
+                inverse = 1 / t
+                s = 1 / (1 + inverse * inverse)
+                y = inverse * inverse * s
+                root = inverse * sqrt(s)
+            rows.append((s, y, measure * s * root))
+        sines, cosines, measures = zip(*rows, strict=True)
+        return cls(sines, cosines, measures)
+
+    def density(self, fabric: AxialFabric) -> list[float]:
+        """4 pi E at the nodes [-], as a sum of positive terms whatever the fabric.
+
+        Where a rank-four part makes the middle coefficient negative, the density is written as
+        (sqrt(e0) s - sqrt(e2) y)^2 + (e1 + 2 sqrt(e0 e2)) s y: what rounding does to the difference is felt only as
+        much as the difference is.
+        """
+        e0, e1, e2 = density_of(fabric)
+        if fabric.D3333 == 0:
+            return _linear(e0, e2, self)
+        if e1 >= 0:
+            first = _linear(e0, e1, self)
+            last = _linear(Fraction(0), e2, self)
+            return [s * one + y * other for s, y, one, other in zip(
+                self.sine_squared, self.cosine_squared, first, last, strict=True)]
+        with localcontext(DIGITS):
+            root0, root2 = decimal(e0).sqrt(), decimal(e2).sqrt()
+            left = float(max(decimal(e1) + 2 * root0 * root2, Decimal(0)))
+            apart = _linear(Fraction(root0), -Fraction(root2), self)
+        return [part * part + left * s * y for part, s, y in zip(
+            apart, self.sine_squared, self.cosine_squared, strict=True)]
+
+    def weight(self, fabric: AxialFabric, hypothesis: Hypothesis) -> list[float]:
+        """Density times W^2 (kinematic) or W^-2 (static), times the measure, at the nodes [-]."""
+        branch = _linear(1 - Fraction(fabric.Dr33) / 2, 1 + Fraction(fabric.Dr33), self)
+        density = map(float.__mul__, self.density(fabric), self.measure)
+        squares = map(float.__mul__, branch, branch)
+        combine = float.__mul__ if hypothesis is Hypothesis.KINEMATIC else float.__truediv__
+        return list(map(combine, density, squares))
+
+
+def _linear(equator: Fraction, pole: Fraction, nodes: Directions) -> list[float]:
+    """Equator s + pole y; what rounding takes from the two, which would shift all nodes alike, is put back."""
+    first, second = float(equator), float(pole)
+    rest, other = float(equator - Fraction(first)), float(pole - Fraction(second))
+    return [first * s + (second * y + (rest * s + other * y))
+            for s, y in zip(nodes.sine_squared, nodes.cosine_squared, strict=True)]
