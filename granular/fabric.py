@@ -62,7 +62,7 @@ class AxialFabric:
                                        allowed="allowed -1 <= D33 <= 2 (E(n) would be negative)",
                                        remedy="Give D33 inside the interval.")
             return
-        equator, between, pole = self._exact_density()
+        equator, between, pole = self.density_coefficients()
         if equator < 0 or pole < 0 or (between < 0 and between**2 > 4 * equator * pole):
             raise FabricOutOfRange(
                 f"D33 = {self.D33!r} with D3333 = {self.D3333!r}",
@@ -70,13 +70,13 @@ class AxialFabric:
                 f"(its least value would be {self._least_density():.6g})",
                 remedy="Bring D3333 closer to zero, or D33 inside the region drawn on the book's fabric page.")
 
-    def _exact_density(self) -> tuple[Fraction, Fraction, Fraction]:
-        """4 pi E as a form in s = 1 - x^2 and x^2: e0 s^2 + e1 s x^2 + e2 x^4, exactly."""
+    def density_coefficients(self) -> tuple[Fraction, Fraction, Fraction]:
+        """Coefficients of 4 pi E = e0 s^2 + e1 s x^2 + e2 x^4 with s = 1 - x^2 [-], exactly."""
         d, q = Fraction(self.D33), Fraction(self.D3333)
         return 1 - d / 2 + 3 * q / 8, 2 + d / 2 - 3 * q, 1 + d + q
 
     def _least_density(self) -> float:
-        equator, between, pole = self._exact_density()
+        equator, between, pole = self.density_coefficients()
         curvature = equator - between + pole
         ends = [equator, pole]
         if curvature > 0 and 0 < (turn := (2 * equator - between) / (2 * curvature)) < 1:

@@ -7,14 +7,13 @@ Contacts of equal stiffness take a Gauss rule, from here; those whose stiffness 
 
 from __future__ import annotations
 
-import math
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import require_accuracy
 from granular.routes.axial_rules import POWERS, AxialRule, Axis, axial_rule, crowding, nodes_needed
-from granular.routes.rational import fractions_of, rounded
+from granular.routes.rational import accurate_sum, fractions_of, rounded
 from granular.routes.result import RouteResult, Six
 
 if TYPE_CHECKING:
@@ -211,7 +210,8 @@ def components_by_rule(fabric: AxialFabric, *, poisson_ratio: float, hypothesis:
 
     d33, nu = Fraction(fabric.D33), Fraction(poisson_ratio)
     averages = _averages(fabric, hypothesis, rule)
-    p0, p1, p2 = (sum((e * averages[j + k] for j, e in enumerate(density_of(fabric))), Fraction(0)) for k in range(3))
+    density = fabric.density_coefficients()
+    p0, p1, p2 = (sum((e * averages[j + k] for j, e in enumerate(density)), Fraction(0)) for k in range(3))
     # The moments are the only rounded numbers here.
     if hypothesis is Hypothesis.KINEMATIC:
         return rounded(kinematic_constant.stiffness_from_moments(*fractions_of(p0, p1, p2, nu)))
@@ -227,44 +227,6 @@ def _averages(fabric: AxialFabric, hypothesis: Hypothesis, rule: AxialRule) -> l
               for s, x2 in zip(rule.sine_squared, rule.cosine_squared, strict=True)]
     weight = [w * w for w in branch] if hypothesis is Hypothesis.KINEMATIC else [1 / (w * w) for w in branch]
     return [accurate_sum(list(map(float.__mul__, weight, rule.columns[m]))) for m in range(POWERS)]
-
-
-def density_of(fabric: AxialFabric) -> tuple[Fraction, Fraction, Fraction]:
-    """Coefficients of 4 pi E in s^2, s x^2 and x^4, exactly.
-
-    Parameters
-    ----------
-    fabric : AxialFabric
-        Contact normals about axis 3 [-].
-
-    Returns
-    -------
-    tuple of 3 Fraction
-        The coefficients [-].
-
-    Source
-    ------
-    ``derivations.fabric``.
-    """
-    d33, d3333 = Fraction(fabric.D33), Fraction(fabric.D3333)
-    return 1 - d33 / 2 + 3 * d3333 / 8, 2 + d33 / 2 - 3 * d3333, 1 + d33 + d3333
-
-
-def accurate_sum(terms: list[float]) -> Fraction:
-    """Add without loss: half a unit here would grow sixfold where the terms of a rank-four density cancel.
-
-    Parameters
-    ----------
-    terms : list of float
-        Numbers of any unit [-].
-
-    Returns
-    -------
-    Fraction
-        Their sum to twice the digits of a double [-].
-    """
-    nearest = math.fsum(terms)
-    return Fraction(nearest) + Fraction(math.fsum([*terms, -nearest]))
 
 
 def _split(exact: Fraction) -> tuple[float, float]:

@@ -9,8 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
-from granular.routes.axial import accurate_sum
-from granular.routes.rational import fractions_of, rounded
+from granular.routes.rational import accurate_sum, fractions_of, rounded
 from granular.routes.result import Six
 
 if TYPE_CHECKING:

@@ -10,7 +10,6 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
-from granular.routes.axial import density_of
 from granular.routes.slip_geometry import DIGITS, decimal
 
 if TYPE_CHECKING:
@@ -62,7 +61,7 @@ class Directions:
         (sqrt(e0) s - sqrt(e2) y)^2 + (e1 + 2 sqrt(e0 e2)) s y: what rounding does to the difference is felt only as
         much as the difference is.
         """
-        e0, e1, e2 = density_of(fabric)
+        e0, e1, e2 = fabric.density_coefficients()
         if fabric.D3333 == 0:
             return _linear(e0, e2, self)
         if e1 >= 0:
