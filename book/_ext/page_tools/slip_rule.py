@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy as np
+
 from granular.fabric import AxialFabric
 from granular.figures.look import BLUE, GREEN, SOFT_INK, VERMILION, blank, house_style
 from granular.figures.page import Static
@@ -12,12 +14,10 @@ from granular.generated import mohr_circle
 from granular.hypothesis import Hypothesis
 from granular.loading import Loading
 from granular.routes import certified
-from granular.routes.axial_kinetic import components_by_contacts
-from granular.routes.contact_rule import ContactRule
 from granular.routes.log_tangent import TANGENT
 from granular.routes.log_tangent_tables import STEPS
-from granular.routes.meridian import Directions
 from granular.routes.slip_geometry import Sliding, Sticking, slip_geometry
+from page_tools.averages import components
 from page_tools.markup import Markup, numbers_to_take_away
 
 POISSON_RATIO, FABRIC = 0.21, AxialFabric()
@@ -37,7 +37,6 @@ LEAST = 1e-17
 """Errors below this are drawn at the lower edge."""
 
 
-
 def predicted(nodes: int) -> float:
     """Return exp(-2 pi (pi/4)/step), the error of the trapezoidal rule in a strip of half width pi/4."""
     return math.exp(-2 * math.pi * (math.pi / 4) * nodes)
@@ -48,8 +47,7 @@ def errors(loading: Loading) -> list[float]:
     known = certified.evaluate(FABRIC, poisson_ratio=POISSON_RATIO, hypothesis=Hypothesis.KINEMATIC, loading=loading)
     found = []
     for nodes in NODES:
-        six = components_by_contacts(FABRIC, poisson_ratio=POISSON_RATIO, hypothesis=Hypothesis.KINEMATIC,
-                                     contacts=_contacts(loading, nodes))
+        six = _components(loading, nodes)
         found.append(max(abs(value / true - 1) for value, true in zip(six, known.components, strict=True)))
     return found
 
@@ -78,15 +76,15 @@ def convergence_numbers() -> Markup:
     return numbers_to_take_away("convergence.csv", columns, digits=3)
 
 
-def _contacts(loading: Loading, nodes: int) -> ContactRule:
-    """Equidistant nodes of the three maps, and what contacts of one stiffness law do there."""
+def _components(loading: Loading, nodes: int) -> tuple[float, ...]:
+    """Six components from equidistant nodes of the three maps."""
     a, c = loading.coefficients(FABRIC.D33)
     assert loading.friction is not None, "the states have friction"
-    rows = list(_rows(slip_geometry(a, c, loading.friction), nodes))
-    directions = Directions.of_tangents((t, measure) for t, measure, *_ in rows)
-    normal = tuple(math.cbrt(float(a) * s + float(c) * y) for s, y in zip(
-        directions.sine_squared, directions.cosine_squared, strict=True))
-    return ContactRule(directions, normal, tuple(row[2] for row in rows), tuple(row[3] for row in rows))
+    t, measure, chi, gamma = np.array(list(_rows(slip_geometry(a, c, loading.friction), nodes))).T
+    directions = np.array([_direction(tangent) for tangent in t])
+    s, y = directions.T
+    return components(FABRIC, POISSON_RATIO, directions=directions, measure=measure * s * np.sqrt(y),
+                      normal=np.cbrt(float(a) * s + float(c) * y), chi=chi, gamma=gamma)
 
 
 def _rows(geometry: Sticking | Sliding, nodes: int) -> Iterator[tuple[float, float, float, float]]:
@@ -113,3 +111,8 @@ def _rows(geometry: Sticking | Sliding, nodes: int) -> Iterator[tuple[float, flo
 
 def _equidistant(first: float, last: float, nodes: int) -> Iterator[float]:
     yield from ((j + 0.5) / nodes for j in range(math.floor(first * nodes), math.ceil(last * nodes)))
+
+
+def _direction(t: float) -> tuple[float, float]:
+    """Squared sine and cosine of the angle with the tangent t."""
+    return (t * t / (1 + t * t), 1 / (1 + t * t)) if t <= 1 else (1 / (1 + t**-2), t**-2 / (1 + t**-2))
