@@ -196,7 +196,7 @@ def series_steps() -> tuple[Step, ...]:
              tuple(Claim(coefficients(STIFF, m)[0], axial_moment(6 - m, m)) for m in range(7))),
         Step("Compliance",
              rf"The moments of $1/k_n$ follow with the power $-1/3$. A single series needs branches of one length, "
-             rf"$W = 1$; for $m = 0$ to 4 {_terms(SOFT)} terms are kept.",
+             rf"$W = 1$; for $m = 0$ to 4 they keep {_terms(SOFT)} terms.",
              (r"A_m^- = \int_0^1 s^{4-m}x^{2m}(as + cy)^{-1/3}\,\mathrm{d}x = g^{-2/3}\,\Phi_m^-(\eta),\qquad "
               r"u_k = \sum_{j=0}^{2}e_j A^-_{j+k}",),
              (*(Claim(sum(factor * eta**n for n, factor in enumerate(coefficients(SOFT, m)[:order])),

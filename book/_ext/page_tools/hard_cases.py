@@ -82,7 +82,7 @@ def cube_root_trap() -> Markup:
     from granular.checks import naive
     from granular.routes import axial
 
-    case = next(one.case for one in compared() if one.name == "table v sliding")
+    case = next(one.case for one in compared() if one.name == "Table V, sliding")
     across, along = COMPONENTS.index("C2323"), COMPONENTS.index("C1212")
     wrong = naive.unguarded_cube_root(case.fabric, case.loading, case.poisson_ratio, case.hypothesis)
     right = axial.evaluate(case.fabric, poisson_ratio=case.poisson_ratio, hypothesis=case.hypothesis,
