@@ -102,7 +102,7 @@ def _closed_form(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading |
 def _axial(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None, _rtol: float | None) -> Promise:
     from granular.routes.axial import nodes_of, relative_error
 
-    return Promise(relative_error(fabric, loading), nodes_of(fabric, hypothesis, loading))
+    return Promise(relative_error(loading), nodes_of(fabric, hypothesis, loading))
 
 
 def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,

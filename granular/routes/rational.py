@@ -60,7 +60,7 @@ def _nearest(name: str, exact: float | Fraction) -> float:
     if exact != 0 and abs(Fraction(exact)) < sys.float_info.min:
         raise ResultOutOfRange(f"{name} = {float(exact):.3g} over (M/V) l_e^2 k_n,ref",
                                allowed=f"allowed 0, or {sys.float_info.min:.3g} and more",
-                               remedy="Give poisson_ratio = 0 if it was meant to be none, or directions that are all alike.")
+                               remedy="Give poisson_ratio = 0 if it was meant to be none, or directions all alike.")
     return float(exact)
 
 
