@@ -14,7 +14,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from granular.hypothesis import Hypothesis
-from granular.routes.contact_rule import EQUATOR, EQUATOR_INVERSE, EQUATOR_SLIP, POLE, POLE_INVERSE, POLE_SLIP
+from granular.routes.contact_rule import (
+    EQUATOR,
+    EQUATOR_INVERSE,
+    EQUATOR_SLIP,
+    POLE,
+    POLE_INVERSE,
+    POLE_SLIP,
+    plain_rule,
+)
 from granular.routes.log_tangent import TANGENT, TANGENT_INVERSE
 from granular.routes.log_tangent_array import ENTRIES, beside, between, directions, sticking
 from granular.routes.slip_geometry_array import Geometry, forces, slip_geometry
@@ -30,6 +38,9 @@ RELATIVE_ERROR = 8 * 2.0**-52
 
 MILD = (1 / 3, 12.0)
 """Ratios c/a for which 28 Gauss nodes in x integrate a kinematic moment to 1e-17."""
+
+GAUSS, NOBODY = -1, -2
+"""Marks of elements that take the Gauss nodes, and of those that take no plain rule."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,16 +170,15 @@ class _Plain:
 
 
 def _plain_groups(elements: Elements, chosen: NDArray[np.bool_], hypothesis: Hypothesis) -> Iterator[_Plain]:
-    """Elements without slip: a fixed rule for each, 28 Gauss nodes in x or those of the log-tangent rule."""
+    """Elements without slip: 28 Gauss nodes in x, or a log-tangent rule that reaches beyond their singularities."""
     ratio = elements.c / elements.a
-    mild = np.zeros(ratio.shape, dtype=bool)
+    reach = np.ceil(np.abs(_places(elements, hypothesis)).max(axis=0)).astype(np.intp)
     if hypothesis is Hypothesis.KINEMATIC:
-        mild = (ratio >= MILD[0]) & (ratio <= MILD[1])
-    for group, gauss in ((chosen & mild, True), (chosen & ~mild, False)):
-        members = np.flatnonzero(group)
-        if not members.size:
-            continue
-        s, y, measure = _gauss_rule() if gauss else _plain_rule(hypothesis)
+        reach[(ratio >= MILD[0]) & (ratio <= MILD[1])] = GAUSS
+    reach[~chosen] = NOBODY
+    for singular in np.unique(reach[chosen]).tolist():
+        members = np.flatnonzero(reach == singular)
+        s, y, measure = _gauss_rule() if singular == GAUSS else _plain_rule(hypothesis, singular)
         for start in range(0, members.size, max(1, ENTRIES // s.size)):
             index = members[start:start + max(1, ENTRIES // s.size)]
             part = elements.of(index)
@@ -242,14 +252,10 @@ def _gauss_rule() -> tuple[Array, Array, Array]:
     return s, y, measure
 
 
-@lru_cache(maxsize=2)
-def _plain_rule(hypothesis: Hypothesis) -> tuple[Array, Array, Array]:
-    """Nodes for contacts that do not slip, far enough for every fabric and force."""
-    from granular.routes import log_tangent
-
-    reach = 19.0  # log(w1/w0)/2 of the most unequal branches that doubles can express
-    low, high = (POLE, EQUATOR) if hypothesis is Hypothesis.KINEMATIC else (POLE_INVERSE - reach,
-                                                                            EQUATOR_INVERSE + reach)
-    nodes = np.array([node[:2] for node in log_tangent.sticking(
-        1.0, low, high, r=np.sqrt(0.5), delta=1.0, kappa=0.0, singular=np.inf)])
-    return directions(nodes[:, 0], nodes[:, 1])
+@lru_cache(maxsize=64)
+def _plain_rule(hypothesis: Hypothesis, singular: int) -> tuple[Array, Array, Array]:
+    """Nodes for contacts that do not slip, as far as any fabric and force with such singularities needs them."""
+    low, high = (POLE, EQUATOR) if hypothesis is Hypothesis.KINEMATIC else (POLE_INVERSE - singular,
+                                                                            EQUATOR_INVERSE + singular)
+    rule = plain_rule(low, high, singular)
+    return np.array(rule.sine_squared), np.array(rule.cosine_squared), np.array(rule.measure)

@@ -94,17 +94,17 @@ def suitable_contacts(fabric: AxialFabric, loading: Loading, hypothesis: Hypothe
     low, high = _window(fabric, a, c, hypothesis, slips=slips)
     if loading.opens():
         return _opened(a, c, loading.friction, low, high)
+    # singularities of the directions, of vanishing forces, of vanishing branches
+    places = [0.0, *([_place_of_forces(a, c)] if a > 0 and c > 0 else []),
+              *([_place_of_branches(fabric)] if hypothesis is Hypothesis.STATIC else [])]
     if not slips or loading.friction is None:
-        rule = _plain_rule(low, high)
+        rule = plain_rule(low, high, math.ceil(max(map(abs, places))))
         normal = _normal(rule, float(a), float(c))
         slides = loading.friction == 0
         nothing, all_of_it = (0.0,) * len(rule), (1.0,) * len(rule)
         return ContactRule(rule, normal, nothing, all_of_it) if slides else ContactRule(rule, normal)
     geometry = slip_geometry(a, c, loading.friction)
     smallest = TANGENT if hypothesis is Hypothesis.KINEMATIC else TANGENT_INVERSE
-    # singularities of the directions, of vanishing forces, of vanishing branches
-    places = [0.0, *([_place_of_forces(a, c)] if a > 0 and c > 0 else []),
-              *([_place_of_branches(fabric)] if hypothesis is Hypothesis.STATIC else [])]
     nodes = list(_slip_nodes(geometry, low, high, smallest, places))
     rule = Directions.of_tangents((t, measure) for t, measure, _, _ in nodes)
     return ContactRule(rule, _normal(rule, float(a), float(c)), tuple(node[2] for node in nodes),
@@ -196,11 +196,23 @@ def _slip_nodes(geometry: Sticking | Sliding, low: float, high: float, smallest:
 
 
 @lru_cache(maxsize=64)
-def _plain_rule(low: float, high: float) -> Directions:
-    """Nodes for contacts that do not slip; they do not depend on the forces."""
-    half = math.sqrt(0.5)
+def plain_rule(low: float, high: float, singular: int) -> Directions:
+    """Nodes for contacts that do not slip.
+
+    Parameters
+    ----------
+    low, high : float
+        Range of log(tan(beta)) that matters [-].
+    singular : int
+        Largest distance of a singularity of forces, directions or branch lengths from 45 deg, in log(tan(beta)) [-].
+
+    Returns
+    -------
+    Directions
+        Nodes that integrate every moment to rounding.
+    """
     return Directions.of_tangents((t, measure) for t, measure, _, _ in log_tangent.sticking(
-        1.0, low, high, r=half, delta=1.0, kappa=0.0, singular=math.inf))
+        1.0, low, high, r=sqrt(0.5), delta=1.0, kappa=0.0, singular=singular))
 
 
 def _normal(rule: Directions, a: float, c: float) -> tuple[float, ...]:
