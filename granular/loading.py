@@ -144,7 +144,7 @@ class Loading:
         if not self.slides(D33):
             return
         ratio = f"{float(self.sigma33 / self.sigma11):.6g}" if self.sigma11 else "inf"
-        found, effect = ("have opened under a tension", "opening") if self.opens() else (
+        found, effect = ("have opened under a tension", "kinetic, with all that needs it,") if self.opens() else (
             f"slide (friction_coefficient = {self.friction!r}, D33 = {float(D33)!r}, stress ratio {ratio})", "slip")
         raise ComplianceInfinite(
             f"hypothesis = static with contacts that {found}",

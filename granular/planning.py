@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from granular.effects.selection import select
-from granular.errors import RouteOutOfDomain, WrongType
+from granular.effects.selection import Selection, select
+from granular.errors import ComplianceInfinite, RouteOutOfDomain, WrongType
 from granular.fabric import AxialFabric
 from granular.fields import Number, chosen
 from granular.hypothesis import Hypothesis
@@ -128,8 +128,8 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
     name = chosen(route, ("auto", *ROUTES), name="route")
     selection = select(scene)
     fabric, hypothesis = selection.fabric, scene.model.hypothesis
-    if hypothesis is Hypothesis.STATIC and selection.loading is not None:
-        selection.loading.require_finite_compliance(fabric.D33)
+    if hypothesis is Hypothesis.STATIC:
+        _require_finite_compliance(selection)
     best, promise, reason = _decide(name, fabric, hypothesis, selection.loading, route_accuracy(wanted))
     _require_accuracy(best, promise, wanted)
     return Plan(
@@ -160,6 +160,22 @@ def route_accuracy(rtol: float | None) -> float | None:
     if rtol is None:
         return None
     return (COARSE_SHARE * rtol if rtol > COARSE else rtol) - SCALING_ERROR
+
+
+def _require_finite_compliance(selection: Selection) -> None:
+    """Refuse contacts that slide or have opened, and say which list of effects is left without them."""
+    if selection.loading is None:
+        return
+    try:
+        selection.loading.require_finite_compliance(selection.fabric.D33)
+    except ComplianceInfinite as refusal:
+        dropped = ("kinetic", "slip", "opening") if selection.loading.opens() else ("slip",)
+        keep = ", ".join(f'"{name}"' for name in selection.simulated if name not in dropped)
+        without = " and ".join(name for name in dropped if name in selection.simulated)
+        raise ComplianceInfinite(
+            refusal.found, allowed=refusal.allowed,
+            remedy=f'Write effects = [{keep}] under [model] to leave {without} out, or use hypothesis = "kinematic".'
+        ) from None
 
 
 def _decide(name: str, fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,

@@ -126,8 +126,8 @@ def test_the_sphere_by_another_library(friction: float | None, accuracy: float) 
     tensor = fourth + sum(np.einsum(f"ijkl->{order}", second) for order in ("ijkl", "jikl", "ijlk", "jilk")) / 4
     found = enclose(fabric, loading, nu=nu)
     for name, enclosure in found.items():
-        i, j, k, l = (int(digit) - 1 for digit in name[1:])  # noqa: E741
-        assert tensor[i, j, k, l] == pytest.approx(float(enclosure.midpoint), rel=accuracy), name
+        indices = tuple(int(digit) - 1 for digit in name[1:])
+        assert tensor[indices] == pytest.approx(float(enclosure.midpoint), rel=accuracy), name
 
 
 @pytest.mark.parametrize("hypothesis", Hypothesis)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import math
+import re
 from copy import deepcopy
 
 import pytest
@@ -135,6 +137,22 @@ def test_equality_is_accepted():
     # Breaks when the declared bound itself is refused because a subtraction was rounded.
     bound = plan(scene(0.3, -0.3, "static")).relative_error
     assert granular.evaluate(scene(0.3, -0.3, "static"), rtol=bound).relative_error <= bound
+
+
+@pytest.mark.parametrize(("stress", "kept"), [
+    ({"mean": "28 kPa", "ratio": 4.0}, ["packing", "kinetic"]),
+    ({"tensor": [[1, 0, 0], [0, 1, 0], [0, 0, -0.5]]}, ["packing"])])
+def test_an_infinite_compliance_says_what_to_leave_out(stress, kept):
+    # Breaks when the remedy leaves the compliance infinite, or leaves out more than it must.
+    content = deepcopy(SOUND) | {"stress": stress, "model": {"hypothesis": "static"}}
+    content["grains"]["friction_angle"] = "12 deg"
+    content["packing"]["contact_normals"] = {"D33": 0.3}
+    with pytest.raises(errors.ComplianceInfinite) as refused:
+        plan(Scene.model_validate(content))
+    effects = json.loads(re.search(r"effects = (\[.*?\])", refused.value.remedy)[1])
+    assert effects == kept
+    content["model"]["effects"] = effects
+    assert granular.evaluate(Scene.model_validate(content)).effects_simulated == tuple(kept)
 
 
 def test_a_route_that_does_not_serve_the_fabric_is_refused():
