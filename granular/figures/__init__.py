@@ -25,6 +25,7 @@ from granular.figures.book import (
     hypotheses,
     mohr,
     mohr_interactive,
+    rule_convergence,
     slip_onset,
     table_ii_waves,
 )
@@ -34,9 +35,25 @@ if TYPE_CHECKING:
 
     from granular.scene import Scene
 
-__all__ = ["SCENE_FIGURES", "SceneFigure", "admissible_region", "figure_5", "figure_5_interactive", "figure_6",
-           "figure_7", "figure_8", "figure_9", "hard_cases", "hypotheses", "mohr", "mohr_interactive", "save",
-           "slip_onset", "table_ii_waves"]
+__all__ = [
+    "SCENE_FIGURES",
+    "SceneFigure",
+    "admissible_region",
+    "figure_5",
+    "figure_5_interactive",
+    "figure_6",
+    "figure_7",
+    "figure_8",
+    "figure_9",
+    "hard_cases",
+    "hypotheses",
+    "mohr",
+    "mohr_interactive",
+    "rule_convergence",
+    "save",
+    "slip_onset",
+    "table_ii_waves",
+]
 
 
 @dataclass(frozen=True, slots=True)

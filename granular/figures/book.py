@@ -230,6 +230,24 @@ def slip_onset() -> Static:
     return Static(draw())
 
 
+def rule_convergence() -> Static:
+    """Draw the error of the rule for slip against the density of its nodes.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: the log-tangent rule.
+    """
+    from granular.figures.convergence import convergence_of_the_rule as draw
+    from granular.figures.page import Static
+
+    return Static(draw())
+
+
 def hard_cases(cases: Sequence[Compared] | None = None) -> Static:
     """Compare the errors of naive formulas with those of this library.
 

@@ -15,7 +15,6 @@ from page_tools.markup import boxed, numbers_to_take_away, plain, table
 from page_tools.paper_kinetic import panel_counts, printed_ratios, verdicts, which_panels
 from page_tools.provenance import DATA_FILES
 from page_tools.refusals import refused
-from page_tools.slip_rule import NODES, STATES, errors, predicted
 from page_tools.steps import assumptions, display, parts, steps
 
 from derivations.catalogue import derivation, names
@@ -124,12 +123,6 @@ def test_printed_tables_are_explained(book: Path, monkeypatch: pytest.MonkeyPatc
     assert "24 alone" in which_panels(20, 30).text
     assert taken_away(panel_counts(24, 24).text)[1] == ["24", "16", "2", "0", "16"]
 
-
-@pytest.mark.parametrize("state", STATES)
-def test_the_rule_converges_as_predicted(state: str) -> None:
-    """Breaks when the error of the trapezoidal rule does not stay below its prediction until rounding is left."""
-    for nodes, error in zip(NODES, errors(STATES[state]), strict=True):
-        assert error < max(predicted(nodes), 1e-15)
 
 
 def test_every_data_file_is_listed(book: Path) -> None:

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from fractions import Fraction
-
-import numpy as np
+from dataclasses import replace
 
 from granular.fabric import AxialFabric
-from granular.figures.paper_figure_7_9 import POISSON_RATIO
+from granular.hypothesis import Hypothesis
 from granular.loading import Loading
-from page_tools.averages import Array, components, gauss
+from granular.routes.axial_kinetic import components_by_contacts
+from granular.routes.contact_rule import ContactRule, suitable_contacts
+from granular.routes.result import Six
 from page_tools.errata import PRINTED_TENSOR
 from page_tools.markup import Markup, table
 from page_tools.paper import PANELS, RATIOS, by_midpoint, cases, typeset
 from page_tools.paper_kinetic import TABLES, Printed, evaluated, printed_ratios
 
-Six = tuple[float, ...]
-DIRECTIONS, MEASURE = gauss(400)
-"""Enough nodes for three decimals of an integrand with edges."""
+Contacts = Callable[[AxialFabric, Loading], ContactRule]
 
 
 def printed_tensor_table() -> Markup:
@@ -67,44 +66,35 @@ def table_iv_misprints() -> Markup:
                  caption="Table IV: what is printed, what the paper's quadrature gives, and the exact values.")
 
 
-def _as_it_must_be(fabric: AxialFabric, loading: Loading) -> Six:
-    """Forces and stiffnesses as derived."""
-    return _averaged(fabric, *_forces(*loading.coefficients(fabric.D33)), lambda share: np.cbrt(1 - share),
-                     loading.friction)
+def _as_it_must_be(fabric: AxialFabric, loading: Loading) -> ContactRule:
+    return suitable_contacts(fabric, loading, Hypothesis.KINEMATIC)
 
 
-def _with_printed_tensor(fabric: AxialFabric, loading: Loading) -> Six:
+def _with_printed_tensor(fabric: AxialFabric, loading: Loading) -> ContactRule:
     """The fabric tensor with its two factors exchanged."""
     of_delta, of_fabric = (float(factor) for factor in PRINTED_TENSOR)
     mean = float(loading.mean)
     a = float(loading.sigma11) / (3 * mean * (of_delta - of_fabric * fabric.D33 / 2))
     c = float(loading.sigma33) / (3 * mean * (of_delta + of_fabric * fabric.D33))
-    return _averaged(fabric, *_forces(a, c), lambda share: np.cbrt(1 - share), loading.friction)
+    contacts = _as_it_must_be(fabric, loading)
+    rule = contacts.directions
+    force = [a * s + c * y for s, y in zip(rule.sine_squared, rule.cosine_squared, strict=True)]
+    return replace(contacts, normal=tuple(map(math.cbrt, force)))
 
 
-def _with_printed_slip(fabric: AxialFabric, loading: Loading) -> Six:
+def _with_printed_slip(fabric: AxialFabric, loading: Loading) -> ContactRule:
     """The square root of the share of friction that is used up, in place of the cube root of what is left."""
-    return _averaged(fabric, *_forces(*loading.coefficients(fabric.D33)), np.sqrt, loading.friction)
+    contacts = _as_it_must_be(fabric, loading)
+    assert contacts.chi is not None, "the case has slip"
+    shares = tuple(math.sqrt(max(1 - chi**3, 0.0)) for chi in contacts.chi)
+    return replace(contacts, chi=shares, gamma=tuple(1 - share for share in shares))
 
 
-def _forces(a: float | Fraction, c: float | Fraction) -> tuple[Array, Array]:
-    """Normal and shear force at the nodes."""
-    s, y = DIRECTIONS.T
-    return float(a) * s + float(c) * y, abs(float(c - a)) * np.sqrt(s * y)
-
-
-def _averaged(fabric: AxialFabric, normal: Array, shear: Array, law: Callable[[Array], Array],
-              friction: float | None) -> Six:
-    share = np.minimum(shear / (friction * normal), 1.0) if friction else np.zeros_like(normal)
-    chi = law(share) if friction else np.ones_like(normal)
-    return components(fabric, POISSON_RATIO, directions=DIRECTIONS, measure=MEASURE, normal=np.cbrt(normal),
-                      chi=chi, gamma=1 - chi)
-
-
-def _evaluate(case: dict[str, str], law: Callable[[AxialFabric, Loading], Six]) -> Six:
+def _evaluate(case: dict[str, str], contacts: Contacts) -> Six:
     plan = evaluated(case).plan
     assert plan.loading is not None, "the case has contact forces"
-    return law(plan.fabric, plan.loading)
+    return components_by_contacts(plan.fabric, poisson_ratio=plan.poisson_ratio, hypothesis=plan.hypothesis,
+                                  contacts=contacts(plan.fabric, plan.loading))
 
 
 def _ratios(six: Six) -> list[str]:
