@@ -7,7 +7,7 @@ import sympy as sp
 from derivations.emit.module import (
     all_series,
     assignments,
-    called_roots,
+    called_functions,
     chained_body,
     docstring,
     end_to_end,
@@ -38,8 +38,8 @@ def array_module(derivation: Derivation) -> str:
         bodies.append(_function(whole, chained_body(derivation), end_to_end_operations(derivation), units))
     imports = ["from __future__ import annotations\n", "from typing import TypeAlias\n",
                "import numpy as np", "import numpy.typing as npt"]
-    if called_roots(bodies):
-        imports.append(f"from numpy import {called_roots(bodies)}")
+    if called_functions(bodies):
+        imports.append(f"from numpy import {called_functions(bodies)}")
     if series:
         imports.append(f"\nfrom .{derivation.name} import {', '.join(one.name for one in series)}")
     imports.append("\nArray: TypeAlias = npt.NDArray[np.float64]")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from textwrap import fill
 
@@ -74,9 +75,17 @@ def assignments(function: Function) -> str:
     return "\n".join([*lines, f"    return {', '.join(symbol.name for symbol in function.returns)}"])
 
 
-def called_roots(bodies: list[str]) -> str:
-    """Names of the roots that functions call, for the import line; empty when there is none."""
-    return ", ".join(name for name in ("cbrt", "sqrt") if any(f"{name}(" in body for body in bodies))
+CALLED = ("cbrt", "exp", "expm1", "log1p", "sqrt")
+"""Functions that math and NumPy know by the same name."""
+
+
+def called_functions(bodies: list[str]) -> str:
+    """Names of the functions that emitted code calls, for the import line; empty when there is none.
+
+    Docstrings are left aside: they may speak of a function that the code goes without.
+    """
+    code = "".join(body.split('"""')[-1] for body in bodies)
+    return ", ".join(name for name in CALLED if re.search(rf"\b{name}\(", code))
 
 
 def all_series(derivation: Derivation) -> tuple[TruncatedSeries, ...]:

@@ -7,7 +7,7 @@ import sympy as sp
 from derivations.emit.module import (
     all_series,
     assignments,
-    called_roots,
+    called_functions,
     chained_body,
     coefficient_table,
     docstring,
@@ -37,8 +37,8 @@ def scalar_module(derivation: Derivation) -> str:
     if whole is not None:
         bodies.append(_function(whole, chained_body(derivation), end_to_end_operations(derivation), units))
     imports = ["from __future__ import annotations\n"]
-    if called_roots(bodies):
-        imports.append(f"from math import {called_roots(bodies)}")
+    if called_functions(bodies):
+        imports.append(f"from math import {called_functions(bodies)}")
     parts = [header(derivation, "scalar functions"), "\n".join(imports).rstrip("\n") + "\n"]
     parts += [coefficient_table(one) for one in series]
     blocks = [*([POLYNOMIAL] if series else []), *bodies]
