@@ -169,6 +169,34 @@ class FabricOutOfRange(GranularError):
     title = "The fabric is outside its admissible region"
 
 
+class CurveMalformed(GranularError):
+    """A gradation curve that is no table of at least two sizes with the fraction finer than each."""
+
+    code = "G-GRD-01"
+    title = "A gradation curve that is no table of two columns"
+
+
+class CurveInPercent(GranularError):
+    """A gradation curve whose second column is in percent."""
+
+    code = "G-GRD-02"
+    title = "A gradation curve in percent"
+
+
+class CurveNotMonotone(GranularError):
+    """A gradation curve on which less is finer than a larger size, or that gives one size twice."""
+
+    code = "G-GRD-03"
+    title = "A gradation curve that is not monotone"
+
+
+class CurveIncomplete(GranularError):
+    """A gradation curve that does not begin at 0 or does not end at 1."""
+
+    code = "G-GRD-04"
+    title = "A gradation curve that does not reach 0 and 1"
+
+
 class EffectNotBuilt(GranularError):
     """The scene calls for an effect that this version does not simulate."""
 
@@ -280,6 +308,7 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     UnknownKey, MissingKey, WrongType, ValueOutOfRange, UnknownChoice, ConflictingKeys, TensorUnusable,
     SymmetryNotBuilt, StressNotCompressive,
     FabricOutOfRange,
+    CurveMalformed, CurveInPercent, CurveNotMonotone, CurveIncomplete,
     EffectNotBuilt,
     ComplianceInfinite,
     RouteOutOfDomain, CertifiedArithmeticMissing,

@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from granular.errors import ValueOutOfRange
+from granular.units import finite_number
+
 
 @dataclass(frozen=True, slots=True)
 class CoordinationRelation:
@@ -13,7 +16,7 @@ class CoordinationRelation:
     Attributes
     ----------
     intercept : float
-        Void ratio at which the line gives no contacts [-].
+        Void ratio at which the line gives no contacts [-], finite.
     slope : float
         Fall of the void ratio for one more contact per grain [-], > 0.
     source : str
@@ -23,6 +26,13 @@ class CoordinationRelation:
     intercept: float
     slope: float
     source: str
+
+    def __post_init__(self) -> None:
+        """Refuse a line that is not finite or does not fall."""
+        finite_number(self.intercept, name="intercept")
+        if finite_number(self.slope, name="slope") <= 0.0:
+            raise ValueOutOfRange(f"slope = {self.slope!r}", allowed="allowed slope > 0 (a denser packing has more "
+                                  "contacts)", remedy="Write the line as e = intercept - slope N.")
 
     def coordination_number(self, void_ratio: float) -> float:
         """Mean number of contacts per grain at a void ratio; not positive where the line has left its range.

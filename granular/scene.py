@@ -4,22 +4,24 @@ from __future__ import annotations
 
 import math
 import os
+from dataclasses import asdict, replace
 from typing import Annotated, Any, Self
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from granular.anisotropy import BranchAnisotropy, ContactNormals
-from granular.errors import ConflictingKeys, MissingKey, ValueOutOfRange
+from granular.errors import ConflictingKeys, GranularError, MissingKey, ValueOutOfRange
 from granular.fabric import AxialFabric
 from granular.fields import Number, Text, Word, WordsOrAuto
+from granular.gradation import SIZE, SPREAD, Lognormal, SizeDistribution, read_curve
 from granular.hypothesis import Hypothesis
-from granular.number_of_contacts import DEFAULT_RELATION
+from granular.number_of_contacts import DEFAULT_RELATION, CoordinationRelation
 from granular.stress import Stress
 from granular.table import Table
-from granular.units import ANGLE, DENSITY, LENGTH, PRESSURE
+from granular.units import ANGLE, DENSITY, PRESSURE
 
-__all__ = ["BranchAnisotropy", "Branches", "ContactNormals", "Gradation", "Grains", "Model", "Packing", "Scene",
-           "Shape", "Stress"]
+__all__ = ["BranchAnisotropy", "Branches", "ContactNormals", "CoordinationLine", "Gradation", "Grains", "Model",
+           "Packing", "Scene", "Shape", "Stress"]
 
 EFFECT_NAMES = ("packing", "branches", "gradation", "deviation", "kinetic", "slip", "opening")
 """Names of all effects, in the order of the scene file; a test holds them against the catalogue."""
@@ -54,6 +56,25 @@ class Grains(Table):
         return self.friction_coefficient if self.friction_angle is None else math.tan(self.friction_angle)
 
 
+class CoordinationLine(Table):
+    """A straight line between void ratio and coordination number, e = intercept - slope N, in place of the default."""
+
+    intercept: Annotated[float, Number()] = Field(description="void ratio at which the line gives no contacts")
+    slope: Annotated[float, Number(above=0.0)] = Field(
+        description="fall of the void ratio for one more contact per grain")
+    source: Annotated[str, Text()] = Field(default="given by the scene", description="where the line comes from")
+
+    @property
+    def relation(self) -> CoordinationRelation:
+        """The line as the record that is computed with."""
+        return CoordinationRelation(intercept=self.intercept, slope=self.slope, source=self.source)
+
+
+def _keys_of(value: object) -> object:
+    """A relation passed in Python, as the keys of the scene file."""
+    return asdict(value) if isinstance(value, CoordinationRelation) else value
+
+
 class Packing(Table):
     """How densely the grains are packed, and where their contacts point."""
 
@@ -61,26 +82,37 @@ class Packing(Table):
         description="volume of voids over volume of solids, e")
     coordination_number: Annotated[float | None, Number(above=0.0, optional=True)] = Field(
         default=None, description="mean number of contacts per grain, N; by default from e = 1.66 - 0.125 N")
+    coordination_relation: Annotated[CoordinationLine | None, BeforeValidator(_keys_of)] = Field(
+        default=None, description="another line between void ratio and N, in place of e = 1.66 - 0.125 N")
     contact_normals: ContactNormals | None = Field(
         default=None, description="density of contact normals; isotropic by default")
 
     @model_validator(mode="after")
     def _has_contacts(self) -> Self:
+        if self.coordination_number is not None and self.coordination_relation is not None:
+            raise ConflictingKeys("coordination_number and coordination_relation are both given",
+                                  allowed="allowed one of the two", remedy="Delete one of them.")
         if self.coordination <= 0.0:
+            line = self.relation
+            which = "default line" if self.coordination_relation is None else "scene's own line"
             raise ValueOutOfRange(
                 f"void_ratio = {self.void_ratio!r} without coordination_number",
-                allowed=f"allowed void_ratio < {DEFAULT_RELATION.intercept} there (the default line e = "
-                        f"{DEFAULT_RELATION.intercept} - {DEFAULT_RELATION.slope} N would give "
-                        f"N = {self.coordination:.6g})",
+                allowed=f"allowed void_ratio < {line.intercept} there (the {which} e = "
+                        f"{line.intercept} - {line.slope} N would give N = {self.coordination:.6g})",
                 remedy="Add coordination_number, or give a smaller void_ratio.")
         return self
 
     @property
+    def relation(self) -> CoordinationRelation:
+        """The line between void ratio and coordination number in use, with its source."""
+        return DEFAULT_RELATION if self.coordination_relation is None else self.coordination_relation.relation
+
+    @property
     def coordination(self) -> float:
-        """Mean number of contacts per grain [-], given or by the default relation."""
+        """Mean number of contacts per grain [-], given or by the relation in use."""
         if self.coordination_number is not None:
             return self.coordination_number
-        return DEFAULT_RELATION.coordination_number(self.void_ratio)
+        return self.relation.coordination_number(self.void_ratio)
 
 
 class Branches(Table):
@@ -93,31 +125,57 @@ class Branches(Table):
 
 
 class Gradation(Table):
-    """Grain sizes by volume."""
+    """Grain sizes by volume; sizes are diameters, as sieves measure them."""
 
     distribution: Annotated[str, Word(words=("lognormal", "curve"))] = Field(
         description='"lognormal" with median and spread, or "curve" with file')
-    median: Annotated[float | None, Number(dimension=LENGTH, above=0.0, optional=True)] = Field(
-        default=None, description="median grain size by volume")
-    spread: Annotated[float | None, Number(above=1.0, optional=True)] = Field(
+    median: Annotated[float | None, replace(SIZE, optional=True)] = Field(
+        default=None, description="median grain size by volume; with form paper the symbol printed in eq. (18), "
+                                  "which is the most frequent size")
+    spread: Annotated[float | None, replace(SPREAD, optional=True)] = Field(
         default=None, description="geometric standard deviation s_r")
+    form: Annotated[str | None, Word(words=("paper", "classical"), optional=True)] = Field(
+        default=None, description="density of a lognormal distribution: eq. (18) as printed, without 1/size (paper, "
+                                  "the default), or with it (classical)")
     file: Annotated[str | None, Text(optional=True)] = Field(
-        default=None, description="table of size and fraction finer")
+        default=None, description="table of size and fraction finer; relative to the folder of the scene file")
+
+    _curve: SizeDistribution | None = PrivateAttr(default=None)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
         needed = {"lognormal": ("median", "spread"), "curve": ("file",)}[self.distribution]
-        for key in ("median", "spread", "file"):
+        possible = {"lognormal": ("median", "spread", "form"), "curve": ("file",)}[self.distribution]
+        for key in ("median", "spread", "form", "file"):
             given = getattr(self, key) is not None
-            if given and key not in needed:
+            if given and key not in possible:
                 raise ConflictingKeys(f'{key} is given with distribution = "{self.distribution}"',
-                                      allowed=f"allowed {' and '.join(needed)} there",
+                                      allowed=f"allowed {' and '.join(possible)} there",
                                       remedy=f"Delete {key}.")
             if not given and key in needed:
                 raise MissingKey(f"{key} is not given",
                                  allowed=f'distribution = "{self.distribution}" needs it',
                                  remedy=f"Add {key}.")
+        if self.file is not None:
+            self._curve = _curve_from(self.file)
         return self
+
+    @property
+    def sizes(self) -> SizeDistribution:
+        """Grain sizes: densities by volume and by number, fraction finer, characteristic sizes."""
+        if self._curve is not None:
+            return self._curve
+        assert self.median is not None  # _complete has seen to both
+        assert self.spread is not None
+        return Lognormal(self.median, self.spread, form=self.form or "paper")
+
+
+def _curve_from(file: str) -> SizeDistribution:
+    """Read the curve; what is wrong with it is told under the key that names the file."""
+    try:
+        return read_curve(file)
+    except GranularError as refusal:
+        raise type(refusal)(f"file = {refusal.found}", allowed=refusal.allowed, remedy=refusal.remedy) from None
 
 
 class Shape(Table):
@@ -125,6 +183,9 @@ class Shape(Table):
 
     aspect_ratio: Annotated[float, Number(above=0.0)] = Field(
         description="b/a, with b along axis 3 and a across")
+    spin: Annotated[str, Word(words=("fixed", "relaxed"))] = Field(
+        default="fixed", description="grains turn with the mean deformation (fixed), or each is free to spin until "
+                                     "it carries no net couple (relaxed)")
 
 
 class Model(Table):
@@ -188,6 +249,16 @@ class Scene(Table):
                                   remedy="Delete [branches] or [shape].")
         return self
 
+    @model_validator(mode="after")
+    def _spin_or_static(self) -> Self:
+        if (self.shape is not None and self.shape.spin == "relaxed"
+                and self.model.hypothesis is Hypothesis.STATIC):
+            raise ConflictingKeys('shape.spin = "relaxed" with model.hypothesis = "static"',
+                                  allowed='allowed spin = "relaxed" only with the kinematic hypothesis (the static one '
+                                          "gives the forces, and no spin enters)",
+                                  remedy='Delete spin, or write hypothesis = "kinematic".')
+        return self
+
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:
         """Read a scene file.
@@ -211,9 +282,9 @@ class Scene(Table):
         -----
         Source: the scene file's interface.
         """
-        from granular.scene_file import read_toml
+        from granular.scene_file import read_scene
 
-        return cls.model_validate(read_toml(path))
+        return cls.model_validate(read_scene(path))
 
     @classmethod
     def json_schema(cls) -> dict[str, Any]:

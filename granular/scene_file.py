@@ -8,15 +8,13 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from granular.errors import FileTooLarge, FileUnreadable, NotToml
+from granular.errors import NotToml
+from granular.reading import bytes_of
 from granular.units import shown
 
 MOST_DOTS = 100
 """Most dots in one line that is no comment. Dotted keys cost the parser the square of their length, and the longest
 line of a scene, a stress tensor of nine numbers, has nine dots."""
-
-LARGEST = 1 << 20
-"""Largest scene file [byte]; a scene is some hundred bytes long, so anything larger is not one."""
 
 
 def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:
@@ -43,7 +41,7 @@ def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:
     """
     name = shown(os.fspath(path))
     try:
-        text = _bytes_of(Path(path), name).decode("utf-8-sig")
+        text = bytes_of(Path(path), name).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise NotToml(f"{name} has a byte at position {error.start} that is not UTF-8",
                       allowed="allowed TOML text in UTF-8", remedy="Save the file as UTF-8.") from None
@@ -62,36 +60,41 @@ def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:
                       remedy="Write a shorter number.") from None
 
 
+def read_scene(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Read a scene file; a gradation curve that it names is looked for in the folder of the scene.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The scene file.
+
+    Returns
+    -------
+    dict
+        Its tables; the name of a curve leads there from the working directory.
+
+    Raises
+    ------
+    FileUnreadable, FileTooLarge, NotToml
+        The file cannot be read, or is not TOML.
+
+    Notes
+    -----
+    Source: the scene file's interface.
+    """
+    tables = read_toml(path)
+    gradation = tables.get("gradation")
+    if isinstance(gradation, dict) and isinstance(file := gradation.get("file"), str) and file.strip():
+        gradation["file"] = str(Path(path).parent / file)
+    return tables
+
+
 def _refuse_long_keys(text: str, name: str) -> None:
     for number, line in enumerate(text.split("\n"), start=1):
         if line.count(".") > MOST_DOTS and not line.lstrip().startswith("#"):
             raise NotToml(f"{name} has {line.count('.')} dots in line {number}",
                           allowed=f"allowed up to {MOST_DOTS}, far more than any line of a scene has",
                           remedy="Write a scene, its keys two tables deep.")
-
-
-def _bytes_of(path: Path, name: str) -> bytes:
-    try:
-        with path.open("rb") as file:
-            content = file.read(LARGEST + 1)
-    except FileNotFoundError:
-        raise FileUnreadable(f"{name} does not exist", allowed="a scene file is needed",
-                             remedy="Check the path.") from None
-    except IsADirectoryError:
-        raise FileUnreadable(f"{name} is a folder", allowed="a scene file is needed",
-                             remedy="Name a file in it.") from None
-    except PermissionError:
-        raise FileUnreadable(f"{name} may not be read", allowed="a readable scene file is needed",
-                             remedy="Change its permissions.") from None
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise FileUnreadable(f"{name} cannot be read ({reason.lower()})", allowed="a scene file is needed",
-                             remedy="Check the path.") from None
-    if len(content) > LARGEST:
-        raise FileTooLarge(f"{name} is larger than {LARGEST} bytes",
-                           allowed=f"allowed up to {LARGEST} bytes (1 MiB)",
-                           remedy="Name a scene file; keep data in files of their own.")
-    return content
 
 
 def _reason(message: str, text: str) -> str:

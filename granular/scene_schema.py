@@ -35,7 +35,12 @@ def schema_of(model: type[BaseModel]) -> dict[str, Any]:
     definitions["ContactNormals"]["oneOf"] = _either("D33", "tensor", forbid=("D3333",))
     definitions["BranchAnisotropy"]["oneOf"] = _either("D33", "tensor")
     definitions["Stress"]["oneOf"] = _either("mean", "tensor", forbid=("ratio",))
-    schema["not"] = {"required": ["branches", "shape"]}
+    definitions["Packing"]["not"] = {"required": ["coordination_number", "coordination_relation"]}
+    definitions["Packing"]["description"] += " At most one of coordination_number and coordination_relation."
+    definitions["Gradation"]["oneOf"] = [_complete("lognormal", ("median", "spread"), forbid=("file",)),
+                                         _complete("curve", ("file",), forbid=("median", "spread", "form"))]
+    schema["not"] = {"anyOf": [{"required": ["branches", "shape"]}, _both("shape", "spin", "relaxed",
+                                                                          "model", "hypothesis", "static")]}
     return schema
 
 
@@ -63,6 +68,21 @@ def _either(first: str, second: str, *, forbid: tuple[str, ...] = ()) -> list[di
     """The first key, or the second key without those that go with the first."""
     alone = {"anyOf": [{"required": [key]} for key in (first, *forbid)]}
     return [{"required": [first], "not": {"required": [second]}}, {"required": [second], "not": alone}]
+
+
+def _complete(distribution: str, needed: tuple[str, ...], *, forbid: tuple[str, ...]) -> dict[str, Any]:
+    """A gradation of one kind, with the keys that it needs and without those of the other kind."""
+    return {"properties": {"distribution": {"const": distribution}}, "required": list(needed),
+            "not": {"anyOf": [{"required": [key]} for key in forbid]}}
+
+
+def _both(first: str, first_key: str, first_value: str, second: str, second_key: str,
+          second_value: str) -> dict[str, Any]:
+    """Two tables that each hold a key with a certain value."""
+    return {"required": [first, second],
+            "properties": {table: {"required": [key], "properties": {key: {"const": value}}}
+                           for table, key, value in ((first, first_key, first_value),
+                                                     (second, second_key, second_value))}}
 
 
 def _without_null(node: Any) -> Any:

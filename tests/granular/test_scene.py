@@ -19,8 +19,10 @@ from pydantic import ValidationError
 
 from granular import errors
 from granular.errors import GranularError
+from granular.gradation import Lognormal, MeasuredCurve
 from granular.hypothesis import Hypothesis
-from granular.scene import Branches, Grains, Packing, Scene, Stress, Table
+from granular.number_of_contacts import DEFAULT_RELATION, CoordinationRelation
+from granular.scene import Branches, Gradation, Grains, Packing, Scene, Shape, Stress, Table
 from granular.scene_schema import schema_text
 
 EXAMPLES = sorted(Path(str(resources.files("granular") / "data" / "scenes")).glob("*.toml"))
@@ -29,6 +31,7 @@ SOUND = {
     "packing": {"void_ratio": 0.5744},
     "stress": {"mean": "28 kPa"},
 }
+LINE = {"intercept": 1.5, "slope": 0.1, "source": "a line for the test"}
 EVERYTHING = {
     "grains": {"shear_modulus": "31 GPa", "poisson_ratio": 0.21, "friction_angle": "12 deg", "density": "2650 kg/m^3"},
     "packing": {"void_ratio": 0.5744, "coordination_number": 8.6848, "contact_normals": {"D33": 0.3, "D3333": 0.1}},
@@ -71,6 +74,7 @@ def test_reads_every_key_of_the_format():
     assert (scene.fabric.D33, scene.fabric.D3333, scene.fabric.Dr33) == (0.3, 0.1, -0.3)
     assert scene.length_ratio == 1.0
     assert scene.gradation.median == 0.005
+    assert scene.gradation.sizes == Lognormal(0.005, 1.5, form="paper")
     assert scene.stress.mean_stress == 28e3
     assert scene.model.hypothesis is Hypothesis.STATIC
     assert scene.model.effects == ("packing", "branches")
@@ -137,6 +141,40 @@ def test_stress_by_tensor():
 def test_the_ratio_is_kept_exactly():
     # Breaks when principal stresses are formed in floats: kinetic fabric is decided exactly.
     assert Stress(mean=1.0, ratio=0.1).principal == (1, Fraction(0.1))
+
+
+def test_the_classical_form_is_named():
+    # Breaks when the form of the density does not reach the distribution: its median is another size.
+    classical = Gradation(distribution="lognormal", median="5 mm", spread=1.5, form="classical")
+    assert classical.sizes == Lognormal(0.005, 1.5, form="classical")
+    assert classical.sizes.D50 == 0.005
+
+
+def test_another_coordination_line():
+    # Breaks when the scene's own line is read and not used, or loses its source.
+    by_keys = Packing(void_ratio=0.5, coordination_relation=LINE)
+    assert by_keys.relation == CoordinationRelation(**LINE)
+    assert by_keys.coordination == 10.0
+    assert Packing(void_ratio=0.5, coordination_relation=CoordinationRelation(**LINE)) == by_keys
+    assert Packing(void_ratio=0.5).relation is DEFAULT_RELATION
+
+
+def test_spin_is_fixed_by_default():
+    # Breaks when the default of spin moves, or a spin written out as fixed disturbs the static hypothesis.
+    assert Shape(aspect_ratio=0.8).spin == "fixed"
+    Scene.model_validate(changed(shape={"aspect_ratio": 0.8, "spin": "fixed"}, model__hypothesis="static"))
+
+
+def test_a_curve_is_looked_for_in_the_folder_of_its_scene(tmp_path):
+    # Breaks when a scene only runs from its own folder, or a dumped scene loses its curve.
+    (tmp_path / "curve.csv").write_text("size [mm], finer\n1, 0\n2, 1\n", encoding="utf-8")
+    lines = ['[grains]\nshear_modulus = "31 GPa"\npoisson_ratio = 0.21', "[packing]\nvoid_ratio = 0.5744",
+             '[gradation]\ndistribution = "curve"\nfile = "curve.csv"', '[stress]\nmean = "28 kPa"']
+    (tmp_path / "scene.toml").write_text("\n".join(lines), encoding="utf-8")
+    scene = Scene.from_toml(tmp_path / "scene.toml")
+    assert scene.gradation.sizes == MeasuredCurve(["1 mm", "2 mm"], [0, 1])
+    assert Scene.model_validate(scene.model_dump()) == scene
+    assert pickle.loads(pickle.dumps(scene)) == scene
 
 
 INTERVALS = [
@@ -247,11 +285,32 @@ WRONG = [
     ("lognormal without spread", changed(gradation={"distribution": "lognormal", "median": "5 mm"}), "MissingKey",
      ["gradation.spread"]),
     ("spread of one", changed(gradation={"distribution": "lognormal", "median": "5 mm", "spread": 1}),
-     "ValueOutOfRange", ["gradation.spread = 1", "spread > 1"]),
+     "ValueOutOfRange", ["gradation.spread = 1", "1 < spread <= 10"]),
     ("curve without file", changed(gradation={"distribution": "curve"}), "MissingKey", ["gradation.file"]),
     ("curve with an empty file", changed(gradation={"distribution": "curve", "file": " "}), "WrongType", ["file"]),
     ("curve with median", changed(gradation={"distribution": "curve", "file": "c.csv", "median": 1}),
      "ConflictingKeys", ["gradation.median"]),
+    ("curve with form", changed(gradation={"distribution": "curve", "file": "c.csv", "form": "paper"}),
+     "ConflictingKeys", ["gradation.form"]),
+    ("no such curve", changed(gradation={"distribution": "curve", "file": "no_such_curve.csv"}), "FileUnreadable",
+     ["gradation.file", "no_such_curve.csv", "a gradation curve is needed"]),
+    ("too wide", changed(gradation={"distribution": "lognormal", "median": "5 mm", "spread": 10.1}),
+     "ValueOutOfRange", ["gradation.spread = 10.1", "1 < spread <= 10"]),
+    ("negative size", changed(gradation={"distribution": "lognormal", "median": "-5 mm", "spread": 1.5}),
+     "ValueOutOfRange", ["gradation.median", "-5 mm"]),
+    ("form", changed(gradation={"distribution": "lognormal", "median": "5 mm", "spread": 1.5, "form": "Paper"}),
+     "UnknownChoice", ["gradation.form", "Did you mean paper?"]),
+    ("coordination twice", changed(packing__coordination_number=6, packing__coordination_relation=LINE),
+     "ConflictingKeys", ["packing.coordination_number and coordination_relation"]),
+    ("rising line", changed(packing__coordination_relation={**LINE, "slope": -0.1}), "ValueOutOfRange",
+     ["packing.coordination_relation.slope = -0.1"]),
+    ("line without slope", changed(packing__coordination_relation={"intercept": 1.66}), "MissingKey",
+     ["packing.coordination_relation.slope"]),
+    ("no contacts by the line", changed(packing__coordination_relation={**LINE, "intercept": 0.5}),
+     "ValueOutOfRange", ["packing.void_ratio = 0.5744", "the scene's own line e = 0.5 - 0.1 N"]),
+    ("spin of a static assembly", changed(shape={"aspect_ratio": 0.8, "spin": "relaxed"}, model__hypothesis="static"),
+     "ConflictingKeys", ['shape.spin = "relaxed"', "static"]),
+    ("spin", changed(shape={"aspect_ratio": 0.8, "spin": "free"}), "UnknownChoice", ["shape.spin"]),
     ("flat grains", changed(shape={"aspect_ratio": 0}), "ValueOutOfRange", ["shape.aspect_ratio = 0"]),
     ("keys that are no text", {**SOUND, "packing": {1: 2}}, "WrongType", ["not text"]),
     ("no dict", [1, 2], "WrongType", ["scene"]),
@@ -341,12 +400,11 @@ def test_the_schema_takes_what_a_scene_takes(content):
 
 def test_the_schema_refuses_what_structure_alone_shows():
     # Breaks when the schema is looser than it could be. What it cannot know: units, admissible fabrics, tensors,
-    # values far inside Python, and what two keys of a gradation need.
+    # and values far inside Python.
     beyond = {"FabricOutOfRange", "UnitOfOtherDimension", "SymmetryNotBuilt", "NotFinite"}
     unseen = {"not symmetric", "not traceless", "only tension", "more tension than compression", "no stress",
-              "no contacts by default", "bare degrees", "lognormal without spread", "curve without file",
-              "curve with an empty file", "curve with median", "keys that are no text", "text in a tensor",
-              "control characters"}
+              "no contacts by default", "no contacts by the line", "bare degrees", "curve with an empty file",
+              "no such curve", "keys that are no text", "text in a tensor", "control characters"}
     validator = jsonschema.Draft202012Validator(Scene.json_schema())
     passed = [name for name, content, kind, _ in WRONG
               if kind not in beyond and name not in unseen and validator.is_valid(content)]

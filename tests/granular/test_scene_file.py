@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 
 from granular import errors
 from granular.errors import GranularError
+from granular.reading import LARGEST
 from granular.scene import Scene
-from granular.scene_file import LARGEST, read_toml
+from granular.scene_file import read_toml
 
 EXAMPLES = sorted(Path(str(resources.files("granular") / "data" / "scenes")).glob("*.toml"))
 

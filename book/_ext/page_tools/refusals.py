@@ -6,15 +6,18 @@ import errno
 import io
 import os
 import sys
+import tempfile
 from collections.abc import Callable
-from contextlib import redirect_stdout
+from contextlib import chdir, redirect_stdout
 from copy import deepcopy
+from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
 from granular import Scene, evaluate
 from granular.__main__ import run_command
 from granular.errors import CATALOGUE, GranularError
+from granular.gradation import read_curve
 from page_tools.markup import Markup, plain, table
 
 SOUND_SCENE: dict[str, dict[str, Any]] = {
@@ -76,6 +79,15 @@ def on_a_full_disk(attempt: Callable[[], object]) -> Callable[[], object]:
     def tried() -> object:
         with redirect_stdout(_FullDisk()):
             return attempt()
+    return tried
+
+
+def curve_with(*rows: str) -> Callable[[], object]:
+    """Prepare the reading of a gradation curve of some rows; its name is the same on every machine."""
+    def tried() -> object:
+        with tempfile.TemporaryDirectory() as folder, chdir(folder):
+            Path("curve.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+            return read_curve("curve.csv")
     return tried
 
 
