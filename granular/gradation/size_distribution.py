@@ -24,7 +24,9 @@ SIZE = Number(dimension=LENGTH, at_least=1e-50, at_most=1e50, why="its cube must
 """Interval of the size of a grain [m]."""
 
 _FRACTION = Number(at_least=0.0, at_most=1.0)
-_ANY_SIZE = Number(dimension=LENGTH, at_least=0.0)
+ANY_SIZE = Number(dimension=LENGTH, at_least=0.0)
+"""Interval of the argument of a density [m]."""
+
 _VOID_RATIO = Number(above=0.0)
 
 
@@ -37,19 +39,19 @@ class SizeDistribution(ABC):
 
     def fraction_finer(self, size: Sizes) -> Any:
         """Volume fraction of grains finer than a size, F of eq. (13) [-]; ``size`` [m], >= 0."""
-        return _each(self._fraction_finer, size, "size", _ANY_SIZE)
+        return each(self._fraction_finer, size, "size", ANY_SIZE)
 
     def density_by_volume(self, size: Sizes) -> Any:
         """Density of sizes by volume, f^v of eq. (13) [1/m]; ``size`` [m], >= 0."""
-        return _each(self._density_by_volume, size, "size", _ANY_SIZE)
+        return each(self._density_by_volume, size, "size", ANY_SIZE)
 
     def density_by_number(self, size: Sizes) -> Any:
         """Density of sizes by number of grains, f^p of eq. (12) [1/m]; ``size`` [m], >= 0."""
-        return _each(self._density_by_number, size, "size", _ANY_SIZE)
+        return each(self._density_by_number, size, "size", ANY_SIZE)
 
     def size_at(self, fraction: Sizes) -> Any:
         """Size [m] than which a volume fraction is finer, the smallest of them on a gap; ``fraction`` [-], 0 to 1."""
-        return _each(self._size_at, fraction, "fraction", _FRACTION)
+        return each(self._size_at, fraction, "fraction", _FRACTION)
 
     @property
     def D10(self) -> float:
@@ -104,8 +106,34 @@ class SizeDistribution(ABC):
     def _size_at(self, fraction: float) -> float: ...
 
 
-def _each(function: Callable[[float], float], values: Sizes, name: str, kind: Number) -> Any:
-    """The function of a number, or of every element of an array; each is refused where it cannot be."""
+def each(function: Callable[[float], float], values: Sizes, name: str, kind: Number) -> Any:
+    """Apply a function to a number, or to every element of an array.
+
+    Parameters
+    ----------
+    function : callable
+        Function of one float.
+    values : float or array
+        The arguments [as ``kind`` says].
+    name : str
+        Their name for messages.
+    kind : Number
+        Their interval.
+
+    Returns
+    -------
+    float or array
+        Values of the function [its own unit], in the shape of the arguments.
+
+    Raises
+    ------
+    ValueOutOfRange, NotFinite, WrongType
+        An argument is outside its interval, or no number.
+
+    Notes
+    -----
+    Source: none; elementwise application.
+    """
     if isinstance(values, int | float):
         return function(kind.read(values, name))
     import numpy as np
