@@ -72,7 +72,8 @@ def _described(symbols: tuple[sp.Symbol, ...], kind: str, units: dict[sp.Symbol,
 def assignments(function: Function) -> str:
     """Body of a function: one assignment a line."""
     lines = [f"    {symbol.name} = {python_source(expression)}" for symbol, expression in function.assignments]
-    return "\n".join([*lines, f"    return {', '.join(symbol.name for symbol in function.returns)}"])
+    results = ", ".join(symbol.name for symbol in function.returns)
+    return "\n".join([*lines, f"    return {results}{',' if len(function.returns) == 1 else ''}"])
 
 
 CALLED = ("cbrt", "exp", "expm1", "log1p", "sqrt")
