@@ -72,7 +72,7 @@ def ratios(stiffness: Stiffness, *, fabric: AxialFabric, poisson_ratio: float,
     >>> str(pair[0].exact)
     '678697/466603'
     """
-    if hypothesis is not Hypothesis.KINEMATIC or not equal_contacts:
+    if hypothesis is not Hypothesis.KINEMATIC or not (equal_contacts and fabric.collinear):
         six = stiffness.components
         return tuple(Ratio(f"{over}/{under}", six[over] / six[under], None) for over, under in PAIRS)
     exact = dict(zip(COMPONENTS, rational_components(fabric, poisson_ratio=poisson_ratio), strict=True))

@@ -1,8 +1,8 @@
 """The stiffness by a rule along the meridian: serves every admissible fabric and loading, under both hypotheses.
 
-Contacts of equal stiffness take a Gauss rule, from here; those whose stiffness follows their force take the rule of
-``axial_kinetic``. Needs nothing but ``math`` and the fractions of the standard library; the twin for arrays is
-``axial_array``.
+Contacts of equal stiffness between spheres take a Gauss rule, from here; those whose stiffness follows their force, and
+those of spheroids, take the rule of ``axial_kinetic``. Needs nothing but ``math`` and the fractions of the standard
+library; the twin for arrays is ``axial_array``.
 """
 
 from __future__ import annotations
@@ -32,15 +32,18 @@ the worst was 1.8 * 2**-52, which is 2.9 units in the last place (kinematic), an
 
 
 KINETIC_ERROR = 8 * 2.0**-52
-"""The same with contact forces [-]. ``granular check --random 10000`` finds 1.2e-15 at the worst, or 5.3 * 2**-52, over
-random and boundary assemblies with densities of rank two and four and with sticking, sliding and opened contacts."""
+"""The same with contact forces, and for spheroids [-]. ``granular check --random 10000`` finds 1.2e-15 at the worst, or
+5.3 * 2**-52, over random and boundary assemblies with densities of rank two and four and with sticking, sliding and
+opened contacts."""
 
 
-def relative_error(loading: Loading | None = None) -> float:
+def relative_error(fabric: AxialFabric, loading: Loading | None = None) -> float:
     """Declare a bound for the worst of the six components.
 
     Parameters
     ----------
+    fabric : AxialFabric
+        Contact normals and branches about axis 3 [-].
     loading : Loading or None
         Stress and friction, for contacts whose stiffness follows their force.
 
@@ -49,7 +52,7 @@ def relative_error(loading: Loading | None = None) -> float:
     float
         The bound, relative to that component [-].
     """
-    return RELATIVE_ERROR if loading is None else KINETIC_ERROR
+    return RELATIVE_ERROR if loading is None and fabric.collinear else KINETIC_ERROR
 
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
@@ -87,7 +90,7 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
 
     Source
     ------
-    Eqs (4), (7), and Figure 1(b) with (23), as three positive moments of the weight.
+    Eqs (4), (6), (7), and Figure 1(b) with (23), as three positive moments of the weight.
 
     Examples
     --------
@@ -96,9 +99,9 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     >>> result.components[2:4], result.evaluations
     ((0.0, 0.0), 80)
     """
-    declared = relative_error(loading)
+    declared = relative_error(fabric, loading)
     require_accuracy(NAME, declared, rtol)
-    if loading is not None:
+    if loading is not None or not fabric.collinear:
         from granular.routes.axial_kinetic import components_by_contacts
         from granular.routes.contact_rule import suitable_contacts
 
@@ -132,7 +135,7 @@ def nodes_of(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | Non
     ComplianceInfinite
         Static hypothesis with contacts that slide or have opened.
     """
-    if loading is None:
+    if loading is None and fabric.collinear:
         return len(suitable_rule(fabric, hypothesis))
     from granular.routes.contact_rule import suitable_contacts
 

@@ -1,16 +1,18 @@
-"""The stiffness with contact forces, partial slip and opening by one rule along the meridian, for a single scene.
+"""The stiffness with contact forces, slip, opening and spheroids by one rule along the meridian, for a single scene.
 
 The twin for arrays is ``axial_kinetic_array``.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from granular.hypothesis import Hypothesis
 from granular.routes.rational import accurate_sum, fractions_of, rounded
 from granular.routes.result import Six
+from granular.spheroid import squared_equator
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
@@ -46,8 +48,6 @@ def components_by_contacts(fabric: AxialFabric, *, poisson_ratio: float, hypothe
     ------
     Eq. (7), and Figure 1(b) with (23).
     """
-    from granular.generated import kinetic_components as emitted
-
     nu = Fraction(poisson_ratio)
     lam0, rest = (2 - 2 * nu) / (2 - nu), nu / (2 - nu)
     weight = contacts.directions.weight(fabric, hypothesis)
@@ -60,7 +60,7 @@ def components_by_contacts(fabric: AxialFabric, *, poisson_ratio: float, hypothe
             lost = _moments(contacts, list(map(float.__mul__, along, contacts.gamma)))
         shear = [lam0 * moment for moment in q]
         apart = [rest * moment + lam0 * less for moment, less in zip(p, lost, strict=True)]
-        return rounded(emitted.stiffness_from_weights(*fractions_of(*p, *shear, *apart[:2])))
+        return rounded(from_weights(fabric, p, shear, apart[:2]))
     along = list(map(float.__truediv__, weight, contacts.normal))
     u = _moments(contacts, along)
     v, more = u, [Fraction(0)] * 3
@@ -70,8 +70,68 @@ def components_by_contacts(fabric: AxialFabric, *, poisson_ratio: float, hypothe
         more = _moments(contacts, list(map(float.__mul__, yielding, contacts.gamma)))
     shear = [moment / lam0 for moment in v]
     apart = [(rest * moment + beyond) / lam0 for moment, beyond in zip(u, more, strict=True)]
-    return rounded(emitted.stiffness_from_flexibilities(
-        *fractions_of(*u, *shear, *apart[:2], fabric.D33)))
+    return rounded(_from_flexibilities(fabric, contacts, u, shear, apart[:2]))
+
+
+def from_weights(fabric: AxialFabric, normal: Sequence[Fraction], shear: Sequence[Fraction],
+                 apart: Sequence[Fraction]) -> Sequence[Fraction]:
+    """Six kinematic components from moments, exactly.
+
+    Parameters
+    ----------
+    fabric : AxialFabric
+        Branch vectors [-].
+    normal, shear : sequence of 3 Fraction
+        Moments of k_n and k_r with s^2, s y and y^2, weighted by density and branches [-].
+    apart : sequence of 2 Fraction
+        The first two moments of k_n - k_r [-].
+
+    Returns
+    -------
+    sequence of 6 Fraction
+        C1111, C3333, C1122, C1133, C2323, C1212 over (M/V) l_e^2 k_n,ref [-].
+
+    Notes
+    -----
+    Accuracy: exact, but for the size of a spheroid, which is good to 1e-38. Source: eqs (6) and (7).
+    """
+    if fabric.collinear:
+        from granular.generated import kinetic_components
+
+        six: Any = kinetic_components.stiffness_from_weights(*fractions_of(*normal, *shear, *apart))
+        return tuple(six)
+    from granular.generated import spheroid
+
+    squared = Fraction(fabric.aspect_ratio) ** 2
+    found = list(spheroid.stiffness_from_weights(*fractions_of(*normal, *shear, *apart, squared)))
+    if fabric.free_spin:
+        found[4:5] = spheroid.relaxed_shear(*fractions_of(*shear, apart[1], squared))
+    return _over_equal_volume(fabric, found)
+
+
+def _from_flexibilities(fabric: AxialFabric, contacts: ContactRule, normal: Sequence[Fraction],
+                        shear: Sequence[Fraction], apart: Sequence[Fraction]) -> Sequence[Fraction]:
+    """Six static components from moments of 1/k_n, of 1/k_r, and of their difference."""
+    if fabric.collinear:
+        from granular.generated import kinetic_components
+
+        six: Any = kinetic_components.stiffness_from_flexibilities(
+            *fractions_of(*normal, *shear, *apart, fabric.D33))
+        return tuple(six)
+    from granular.generated import spheroid
+
+    weight = contacts.directions.balance(fabric)
+    s, y = contacts.directions.sine_squared, contacts.directions.cosine_squared
+    across = accurate_sum(list(map(float.__mul__, weight, s))) / 2
+    along = accurate_sum(list(map(float.__mul__, weight, y))) * Fraction(fabric.aspect_ratio) ** 2
+    found = spheroid.stiffness_from_flexibilities(*fractions_of(*normal, *shear, *apart, across, along))
+    return _over_equal_volume(fabric, found)
+
+
+def _over_equal_volume(fabric: AxialFabric, components: Iterable[Any]) -> Sequence[Fraction]:
+    """From components over (M/V) (2a)^2 k_n,ref to components over (M/V) l_e^2 k_n,ref."""
+    size = squared_equator(fabric.aspect_ratio)
+    return tuple(Fraction(component) * size for component in components)
 
 
 def _moments(contacts: ContactRule, weight: list[float]) -> list[Fraction]:

@@ -102,12 +102,13 @@ def _closed_form(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading |
 def _axial(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None, _rtol: float | None) -> Promise:
     from granular.routes.axial import nodes_of, relative_error
 
-    return Promise(relative_error(loading), nodes_of(fabric, hypothesis, loading))
+    return Promise(relative_error(fabric, loading), nodes_of(fabric, hypothesis, loading))
 
 
 def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
             rtol: float | None) -> Promise | None:
-    from granular.routes.sphere import DEGREES, WANTED, declared_error, directions_of
+    from granular.routes.sphere import directions_of
+    from granular.routes.sphere_bounds import DEGREES, WANTED, declared_error
 
     wanted = WANTED if rtol is None else rtol
     for degree in DEGREES:
@@ -119,18 +120,19 @@ def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None
     return Promise(error, directions_of(degree))
 
 
-def _exact(_fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
+def _exact(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
            _rtol: float | None) -> Promise | None:
     from granular.routes.accuracy import HALF_ULP
 
-    return Promise(HALF_ULP, 0) if hypothesis is Hypothesis.KINEMATIC and loading is None else None
+    rational = hypothesis is Hypothesis.KINEMATIC and loading is None and fabric.collinear
+    return Promise(HALF_ULP, 0) if rational else None
 
 
-def _certified(_fabric: AxialFabric, _hypothesis: Hypothesis, _loading: Loading | None,
-               _rtol: float | None) -> Promise:
+def _certified(fabric: AxialFabric, _hypothesis: Hypothesis, loading: Loading | None,
+               _rtol: float | None) -> Promise | None:
     from granular.routes.accuracy import HALF_ULP
 
-    return Promise(HALF_ULP, 0)
+    return Promise(HALF_ULP, 0) if fabric.collinear or loading is None else None
 
 
 def _midpoint(_fabric: AxialFabric, _hypothesis: Hypothesis, _loading: Loading | None,

@@ -3,7 +3,8 @@
 The voice that the others are measured against, and independent of them. Where all contacts are equally stiff: moments
 of the weight in closed form (an exact rational number under the kinematic hypothesis, the hypergeometric function of
 Gauss under the static one), the components of eqs (1) and (23) written directly in those moments, and a 3 x 3
-inversion in balls. Contacts that stiffen with their force are left to ``certified_kinetic`` and ``certified_static``.
+inversion in balls. Contacts that stiffen with their force are left to ``certified_kinetic`` and ``certified_static``,
+spheroids to ``certified_spheroid``.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ from granular.routes.balls import (
     exact_weights,
     fraction,
     half_beta,
+    inverse_moment,
+    normal_tensor,
     stiffness_from_compliance,
 )
 from granular.routes.rational import rounded
@@ -94,7 +97,7 @@ def enclose(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis
     CertifiedArithmeticMissing
         python-flint is not installed.
     RouteOutOfDomain
-        ``digits`` is not from 1 to 2000.
+        ``digits`` is not from 1 to 2000, or spheroids with contact forces.
     ComplianceInfinite
         Static hypothesis, and contacts slide or have opened in some directions.
 
@@ -193,12 +196,26 @@ def available() -> bool:
 def _computation(hypothesis: Hypothesis, fabric: AxialFabric,
                  loading: Loading | None) -> tuple[Callable[[Any, AxialFabric, Fraction], tuple[Any, ...]], int]:
     """What encloses the components at a given working precision, and the bits that it needs on top."""
+    if not fabric.collinear:
+        return _spheroids(hypothesis, fabric, loading), 0
     if loading is None:
         return (_kinematic if hypothesis is Hypothesis.KINEMATIC else _static), 0
     from granular.routes import certified_kinetic, certified_static
 
     module = certified_kinetic if hypothesis is Hypothesis.KINEMATIC else certified_static
     return partial(module.components, loading=loading), module.guard_bits(fabric, loading)
+
+
+def _spheroids(hypothesis: Hypothesis, fabric: AxialFabric,
+               loading: Loading | None) -> Callable[[Any, AxialFabric, Fraction], tuple[Any, ...]]:
+    from granular.routes import certified_spheroid
+
+    if loading is not None:
+        raise RouteOutOfDomain(
+            f"route = certified for aspect_ratio = {fabric.aspect_ratio!r} with contact forces",
+            allowed="allowed spheroids with contacts of equal stiffness: with contact forces there is no closed form",
+            remedy='Use route = "axial", which serves every scene.')
+    return certified_spheroid.kinematic if hypothesis is Hypothesis.KINEMATIC else certified_spheroid.static
 
 
 def _kinematic(flint: Any, fabric: AxialFabric, poisson: Fraction) -> tuple[Any, ...]:
@@ -221,23 +238,13 @@ def _kinematic(flint: Any, fabric: AxialFabric, poisson: Fraction) -> tuple[Any,
     return tuple(ball(flint, component) for component in components)
 
 
-def _static_moment(flint: Any, w0: Fraction, w1: Fraction, power: int) -> Any:
-    """<s^(4-m) x^(2m) / W^2>, with the larger weight taken out so that the argument lies in [0, 1)."""
-    arb = flint.arb
-    if w0 >= w1:
-        series = ball(flint, (w0 - w1) / w0).hypgeom_2f1(2, arb(2 * power + 1) / 2, arb(11) / 2)
-    else:
-        series = ball(flint, (w1 - w0) / w1).hypgeom_2f1(2, arb(5 - power), arb(11) / 2)
-    return ball(flint, half_beta(4 - power, power) / max(w0, w1) ** 2) * series
-
-
 def _static(flint: Any, fabric: AxialFabric, poisson: Fraction) -> tuple[Any, ...]:
     """Eq. (23) with s_jl = n_j n_l / k_n + (delta_jl - n_j n_l) / k_r, minor-symmetrised, then inverted."""
     density, w0, w1 = exact_weights(fabric)
-    by_power = [_static_moment(flint, w0, w1, m) for m in range(5)]
+    by_power = [inverse_moment(flint, (w0, w1), Fraction(2), 4 - m, m) for m in range(5)]
     n4, n2x2, x4 = (sum((ball(flint, e) * by_power[j + k] for j, e in enumerate(density)), flint.arb(0))
                     for k in range(3))  # <s^2>, <s x^2> and <x^4> with the weight E/W^2
     lam = (2 - 2 * poisson) / (2 - poisson)
     apart, tangent = ball(flint, 1 - 1 / lam), ball(flint, 1 / lam)
     normal_less_shear, shear = ([factor * moment for moment in (n4, n2x2, x4)] for factor in (apart, tangent))
-    return stiffness_from_compliance(flint, fabric, normal_less_shear, shear)
+    return stiffness_from_compliance(flint, normal_tensor(flint, fabric), normal_less_shear, shear)

@@ -19,7 +19,7 @@ from typing import Any
 
 from granular.fabric import AxialFabric
 from granular.loading import Loading
-from granular.routes.balls import ball, exact_weights, magnitude, stiffness_from_compliance
+from granular.routes.balls import ball, exact_weights, magnitude, normal_tensor, stiffness_from_compliance
 from granular.routes.certified_kinetic import Mohr, mohr
 
 NOT_THIN = Fraction(1, 100)
@@ -64,7 +64,7 @@ def components(flint: Any, fabric: AxialFabric, poisson: Fraction, *, loading: L
         nearer = _moments(flint, fabric, a, c, Fraction(loading.friction))
         apart = [part + ball(flint, 1 / lam) * (n - h) for part, n, h in zip(apart, normal, nearer, strict=True)]
         shear = [ball(flint, 1 / lam) * moment for moment in nearer]
-    return stiffness_from_compliance(flint, fabric, apart, shear)
+    return stiffness_from_compliance(flint, normal_tensor(flint, fabric), apart, shear)
 
 
 def guard_bits(fabric: AxialFabric, loading: Loading) -> int:

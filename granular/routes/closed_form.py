@@ -10,6 +10,7 @@ emitted arithmetic on arrays of floats.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from granular.errors import RouteOutOfDomain
@@ -35,6 +36,12 @@ one inherits the rounding of its moments: 1 unit as a rule, 4.6 at the worst of 
 KINETIC_ERROR = 4 * ULP
 """The same with contact forces: the moments are series in floats, one for each power of the cosine."""
 
+LARGEST_ASPECT = 3.0
+"""Series of the moments of spheroids: 1/3 <= b/a <= 3, where they are cut at 2^-57 of their sum."""
+
+SPHEROID_ERROR = 4 * ULP
+"""The same for spheroids: their moments are series in floats."""
+
 RANK_FOUR_FACTOR = 4.5
 """With D3333 the middle coefficient of the density may be negative. The terms that then cancel are at most 4.45 times
 the sum: that is the largest ratio over all densities with a double zero and all |v| <= 1/2 (at e0/e2 = 0.63, v = 0)."""
@@ -43,10 +50,14 @@ the sum: that is the largest ratio over all densities with a double zero and all
 def covers(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> bool:
     """Whether the closed form serves a scene.
 
-    Contacts of equal stiffness: always (kinematic), for 1/9 <= w1/w0 <= 9 (static). Contacts whose stiffness follows
-    their force: for forces at pole and equator within a factor 9 that stick all over or slide all over (kinematic),
-    and branches of one length besides (static).
+    Spheroids: for 1/3 <= aspect ratio <= 3 and contacts of equal stiffness (kinematic). Branches along the normals
+    and contacts of equal stiffness: always (kinematic), for 1/9 <= w1/w0 <= 9 (static). Contacts whose stiffness
+    follows their force: for forces at pole and equator within a factor 9 that stick all over or slide all over
+    (kinematic), and branches of one length besides (static).
     """
+    if not fabric.collinear:
+        return (hypothesis is Hypothesis.KINEMATIC and loading is None
+                and 1 <= LARGEST_ASPECT * fabric.aspect_ratio <= LARGEST_ASPECT**2)
     if loading is not None:
         return _covers_forces(fabric, hypothesis, loading)
     if hypothesis is Hypothesis.KINEMATIC:
@@ -57,6 +68,8 @@ def covers(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None 
 
 def relative_error(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> float:
     """Declared bound for the worst of the six components, relative to that component [-]."""
+    if not fabric.collinear:
+        return SPHEROID_ERROR if fabric.D3333 == 0 else RANK_FOUR_FACTOR * SPHEROID_ERROR
     if loading is None:
         bound = RELATIVE_ERROR[hypothesis]
         return bound if fabric.D3333 == 0 or hypothesis is Hypothesis.KINEMATIC else RANK_FOUR_FACTOR * bound
@@ -106,6 +119,12 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     if loading is not None and hypothesis is Hypothesis.STATIC:
         loading.require_finite_compliance(fabric.D33)
     if not covers(fabric, hypothesis, loading):
+        if not fabric.collinear:
+            raise RouteOutOfDomain(
+                f"route = closed_form for aspect_ratio = {fabric.aspect_ratio!r}",
+                allowed=f"its series serve 1/{LARGEST_ASPECT:g} <= aspect_ratio <= {LARGEST_ASPECT:g} with contacts of "
+                "equal stiffness under the kinematic hypothesis",
+                remedy='Use route = "axial", which serves every shape, or "certified".')
         if loading is not None:
             raise RouteOutOfDomain(
                 "route = closed_form with contact forces",
@@ -123,6 +142,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
                                remedy='Ask for less, or use route = "certified".')
     if loading is not None:
         return RouteResult(_kinetic(fabric, poisson_ratio, hypothesis, loading), bound, 0)
+    if not fabric.collinear:
+        return RouteResult(_spheroids(fabric, poisson_ratio), bound, 0)
     compute = _kinematic if hypothesis is Hypothesis.KINEMATIC else _static
     return RouteResult(compute(fabric, poisson_ratio), bound, 0)
 
@@ -139,6 +160,17 @@ def _static(fabric: AxialFabric, poisson_ratio: float) -> Six:
 
     moments = static_moments(fabric.D33, fabric.D3333, fabric.Dr33)
     return rounded(stiffness_from_moments(*fractions_of(*moments, fabric.D33, poisson_ratio)))
+
+
+def _spheroids(fabric: AxialFabric, poisson_ratio: float) -> Six:
+    """Moments from the emitted series, the rest in exact fractions."""
+    from granular.generated.spheroid import spheroid_moments
+    from granular.routes.axial_kinetic import from_weights
+
+    normal = fractions_of(*spheroid_moments(fabric.D33, fabric.D3333, fabric.aspect_ratio))
+    nu = Fraction(poisson_ratio)
+    shear = [(2 - 2 * nu) / (2 - nu) * moment for moment in normal]
+    return rounded(from_weights(fabric, normal, shear, [nu / (2 - nu) * moment for moment in normal[:2]]))
 
 
 def _covers_forces(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading) -> bool:

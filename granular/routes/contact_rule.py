@@ -61,15 +61,15 @@ class ContactRule:
 
 
 @lru_cache(maxsize=16)
-def suitable_contacts(fabric: AxialFabric, loading: Loading, hypothesis: Hypothesis) -> ContactRule:
+def suitable_contacts(fabric: AxialFabric, loading: Loading | None, hypothesis: Hypothesis) -> ContactRule:
     """Choose the nodes for a fabric, a loading and a hypothesis.
 
     Parameters
     ----------
     fabric : AxialFabric
         Contact normals and branch lengths about axis 3 [-].
-    loading : Loading
-        Stress and friction.
+    loading : Loading or None
+        Stress and friction; None for contacts of equal stiffness.
     hypothesis : Hypothesis
         Kinematic or static.
 
@@ -87,16 +87,20 @@ def suitable_contacts(fabric: AxialFabric, loading: Loading, hypothesis: Hypothe
     -----
     Source: ``granular.routes.log_tangent``.
     """
+    branches = _places_of_branches(fabric, hypothesis)
+    if loading is None:
+        rule = plain_rule(POLE + min(0.0, *map(math.floor, branches)), EQUATOR + max(0.0, *map(math.ceil, branches)),
+                          math.ceil(max(map(abs, branches))))
+        return ContactRule(rule, (1.0,) * len(rule))
     a, c = loading.coefficients(fabric.D33)
     if hypothesis is Hypothesis.STATIC:
         loading.require_finite_compliance(fabric.D33)
     slips = loading.slips(fabric.D33) and loading.friction != 0
-    low, high = _window(fabric, a, c, hypothesis, slips=slips)
+    low, high = _window(branches, a, c, hypothesis, slips=slips)
     if loading.opens():
         return _opened(a, c, loading.friction, low, high)
-    # singularities of the directions, of vanishing forces, of vanishing branches
-    places = [0.0, *([_place_of_forces(a, c)] if a > 0 and c > 0 else []),
-              *([_place_of_branches(fabric)] if hypothesis is Hypothesis.STATIC else [])]
+    # singularities of the directions, of vanishing forces, of the branches
+    places = [*branches, *([_place_of_forces(a, c)] if a > 0 and c > 0 else [])]
     if not slips or loading.friction is None:
         rule = plain_rule(low, high, math.ceil(max(map(abs, places))))
         normal = _normal(rule, float(a), float(c))
@@ -144,16 +148,18 @@ def contacts_at(rule: Directions, fabric: AxialFabric, loading: Loading) -> Cont
     return ContactRule(rule, normal, chi, tuple(1 - share for share in chi))
 
 
-def _window(fabric: AxialFabric, a: Fraction, c: Fraction, hypothesis: Hypothesis, *,
+def _window(branches: list[float], a: Fraction, c: Fraction, hypothesis: Hypothesis, *,
             slips: bool) -> tuple[float, float]:
     """Range of log(tan(beta)) that matters, in whole units."""
+    first, last = min(branches), max(branches)
     if hypothesis is Hypothesis.KINEMATIC:
-        return (POLE_SLIP, EQUATOR_SLIP) if slips else (POLE, EQUATOR)
-    forces, branches = _place_of_forces(a, c), _place_of_branches(fabric)
+        low, high = (POLE_SLIP, EQUATOR_SLIP) if slips else (POLE, EQUATOR)
+        return math.floor(low + first), math.ceil(high + last)
+    forces = _place_of_forces(a, c)
     if slips:
-        return math.floor(POLE + min(0.0, forces, branches)), math.ceil(EQUATOR + max(0.0, forces, branches))
+        return math.floor(POLE + min(forces, first)), math.ceil(EQUATOR + max(forces, last))
     low, high = max(POLE_INVERSE, POLE + min(0.0, forces)), min(EQUATOR_INVERSE, EQUATOR + max(0.0, forces))
-    return math.floor(low + min(0.0, branches)), math.ceil(high + max(0.0, branches))
+    return math.floor(low + first), math.ceil(high + last)
 
 
 def _place_of_forces(a: Fraction, c: Fraction) -> float:
@@ -163,9 +169,14 @@ def _place_of_forces(a: Fraction, c: Fraction) -> float:
     return math.inf if c > a else -math.inf
 
 
-def _place_of_branches(fabric: AxialFabric) -> float:
-    """log(tan(beta)) at which the branch length has its singularity, which matters where it is in a denominator."""
-    return (math.log(1 + fabric.Dr33) - math.log(1 - fabric.Dr33 / 2)) / 2
+def _places_of_branches(fabric: AxialFabric, hypothesis: Hypothesis) -> list[float]:
+    """log(tan(beta)) at which the directions and the branches have their singularities, where they have any."""
+    if not fabric.collinear:  # s + r^2 y in a denominator; s + r^4 y there and under a root
+        shape = math.log(fabric.aspect_ratio)
+        return [0.0, shape] if hypothesis is Hypothesis.KINEMATIC else [0.0, 2 * shape]
+    if hypothesis is Hypothesis.KINEMATIC:
+        return [0.0]
+    return [0.0, (math.log(1 + fabric.Dr33) - math.log(1 - fabric.Dr33 / 2)) / 2]
 
 
 def _slip_nodes(geometry: Sticking | Sliding, low: float, high: float, smallest: float,

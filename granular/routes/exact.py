@@ -93,7 +93,7 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     Raises
     ------
     RouteOutOfDomain
-        The static hypothesis, a loading, or an ``rtol`` that a binary64 number cannot hold.
+        The static hypothesis, a loading, spheroids, or an ``rtol`` that a binary64 number cannot hold.
 
     Source
     ------
@@ -113,6 +113,10 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
         raise RouteOutOfDomain("route = exact with contact forces",
                                allowed="allowed: contacts of equal stiffness, for which the components are rational",
                                remedy="Use the route closed_form or axial.")
+    if not fabric.collinear:
+        raise RouteOutOfDomain(f"route = exact for aspect_ratio = {fabric.aspect_ratio!r}",
+                               allowed="allowed: branches along the contact normals, for which the components are "
+                               "rational", remedy="Use the route closed_form or axial.")
     require_accuracy(NAME, HALF_ULP, rtol)
     components = rational_components(fabric, poisson_ratio=poisson_ratio, decimal=False)
     return RouteResult(rounded(components), HALF_ULP, 0)

@@ -77,12 +77,35 @@ class Directions:
             apart, self.sine_squared, self.cosine_squared, strict=True)]
 
     def weight(self, fabric: AxialFabric, hypothesis: Hypothesis) -> list[float]:
-        """Density times W^2 (kinematic) or W^-2 (static), times the measure, at the nodes [-]."""
-        branch = _linear(1 - Fraction(fabric.Dr33) / 2, 1 + Fraction(fabric.Dr33), self)
+        """Density times the share of the branches, times the measure, at the nodes [-].
+
+        The share is W^2 (kinematic) or W^-2 (static) for branches along the contact normals. For spheroids, with
+        Q = s + r^2 y: 1/Q, which leaves the branch vector (n1, n2, r^2 n3), or Q/(s + r^4 y), the inverse square of
+        its length; both over (2a)^2.
+        """
         density = map(float.__mul__, self.density(fabric), self.measure)
+        if not fabric.collinear:
+            return self._spheroid_weight(fabric, hypothesis, density)
+        branch = _linear(1 - Fraction(fabric.Dr33) / 2, 1 + Fraction(fabric.Dr33), self)
         squares = map(float.__mul__, branch, branch)
         combine = float.__mul__ if hypothesis is Hypothesis.KINEMATIC else float.__truediv__
         return list(map(combine, density, squares))
+
+    def _spheroid_weight(self, fabric: AxialFabric, hypothesis: Hypothesis, density: Iterable[float]) -> list[float]:
+        squared = Fraction(fabric.aspect_ratio) ** 2
+        height = _linear(Fraction(1), squared, self)
+        if hypothesis is Hypothesis.KINEMATIC:
+            return list(map(float.__truediv__, density, height))
+        length = _linear(Fraction(1), squared**2, self)
+        return [e * q / t for e, q, t in zip(density, height, length, strict=True)]
+
+    def balance(self, fabric: AxialFabric) -> list[float]:
+        """Density over sqrt(s + r^4 y), times the measure, at the nodes [-].
+
+        Its moments with s and y make up the mean of n^l_i n_k over the contacts, n^l along the branch of a spheroid.
+        """
+        length = _linear(Fraction(1), Fraction(fabric.aspect_ratio) ** 4, self)
+        return [e * m / sqrt(t) for e, m, t in zip(self.density(fabric), self.measure, length, strict=True)]
 
 
 def _linear(equator: Fraction, pole: Fraction, nodes: Directions) -> list[float]:

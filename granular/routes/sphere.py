@@ -12,7 +12,18 @@ from typing import TYPE_CHECKING
 from granular.errors import RouteOutOfDomain
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import require_accuracy
+from granular.routes.direction_sums import (
+    axial_components,
+    axially_clean,
+    contact_tensor,
+    fourth_rank,
+    mandel_matrix,
+    spin_relaxed,
+    symmetrised,
+)
 from granular.routes.result import RouteResult, Six
+from granular.routes.sphere_bounds import DEGREES, WANTED, declared_error
+from granular.spheroid import branch_vectors
 
 if TYPE_CHECKING:
     import numpy as np
@@ -24,18 +35,6 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 NAME = "sphere"
-
-DEGREES = (3, 5, 7, 9, 11, 15, 17, 19, 21, 23, 29, 31, 35, 41, 47, 53, 59, 65, 71, 77, 83, 89, 95, 101, 107, 113,
-           119, 125, 131)
-"""Degrees of the Lebedev rules whose weights are all positive, which the bound below needs (not 13, 25 and 27)."""
-
-WANTED = 1e-12
-"""Relative accuracy aimed at when none is asked for [-]: about twenty times the rounding of a few thousand terms."""
-
-ROUNDING = 1.5e-14
-"""Rounding of the sums and of the inverse [-], times the ratio of branch lengths when it is 1/W^2 that is averaged.
-Worst over all degrees and some thousand random and boundary fabrics: 5e-15 (kinematic), 9e-15 (static)."""
-
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
              loading: Loading | None = None, rtol: float | None = None) -> RouteResult:
@@ -84,7 +83,7 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     degree = next((degree for degree, error in errors.items() if error <= wanted), DEGREES[-1])
     if math.isinf(errors[degree]) or (rtol is None and errors[degree] > WANTED):
         raise RouteOutOfDomain(
-            f"route = sphere for Dr33 = {fabric.Dr33!r}" + ("" if loading is None else " with contact forces"),
+            f"route = sphere for {_branches(fabric)}" + ("" if loading is None else " with contact forces"),
             allowed=f"allowed integrands without slip for which a rule of degree {DEGREES[-1]} is good enough "
             f"({_likely(errors[degree])} here)",
             remedy="Use the route axial, which serves every scene.")
@@ -94,108 +93,12 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     return RouteResult(components, errors[degree], directions_of(degree))
 
 
+def _branches(fabric: AxialFabric) -> str:
+    return f"Dr33 = {fabric.Dr33!r}" if fabric.collinear else f"aspect_ratio = {fabric.aspect_ratio!r}"
+
+
 def _likely(error: float) -> str:
     return "nothing is promised" if math.isinf(error) else f"its relative error may be {error:.2g}"
-
-
-def declared_error(fabric: AxialFabric, *, hypothesis: Hypothesis, degree: int,
-                   loading: Loading | None = None) -> float:
-    """Bound the error of a degree.
-
-    Parameters
-    ----------
-    fabric : AxialFabric
-        Contact normals and branch lengths about axis 3 [-].
-    hypothesis : Hypothesis
-        Kinematic or static.
-    degree : int
-        Degree of a rule with positive weights [-], one of ``DEGREES``.
-    loading : Loading or None
-        Stress and friction; None for contacts of equal stiffness.
-
-    Returns
-    -------
-    float
-        Bound for the worst component, relative to that component [-]; ``math.inf`` where nothing is promised.
-
-    Accuracy
-    --------
-    A proved bound of the rule plus the measured rounding.
-
-    Notes
-    -----
-    Kinematic: polynomials of the density's degree plus 8, which the rule integrates exactly, or nothing is
-    promised. Static: let q be a polynomial with \\|q - 1/W^2\\| <= eta/W^2 everywhere such that the rule is exact
-    for q times the rest. As rule and integral are positive, the average of anything positive over W^2 errs by at
-    most 2 eta/(1 - eta) of itself. The shear compliances are such averages. The block of the normal directions is
-    a diagonally dominant M-matrix whose row sums and off-diagonal entries are such averages, so that an entry of its
-    inverse errs by 5 times as much to first order; 6 is used. The best q that is a combination of two
-    Chebyshev polynomials is explicit. Contact forces without slip are served under the kinematic hypothesis, with a
-    polynomial for k_n in place of 1/W^2; with slip no polynomial is near, and nothing is promised.
-
-    Source
-    ------
-    Entrywise perturbation of diagonally dominant M-matrices (Alfa, Xue, Ye, Math. Comp. 71, 2002).
-
-    Examples
-    --------
-    >>> from granular.fabric import AxialFabric
-    >>> declared_error(AxialFabric(Dr33=0.3), hypothesis=Hypothesis.STATIC, degree=131) < 1e-12
-    True
-    """
-    density = 2 if fabric.D3333 == 0 else 4
-    shortest, longest = sorted((1 - fabric.Dr33 / 2, 1 + fabric.Dr33))
-    if hypothesis is Hypothesis.KINEMATIC:
-        beyond = degree - density - 8
-        if beyond < 0:
-            return math.inf
-        if loading is None:
-            return ROUNDING
-        eta = _force_approximation(fabric, loading, beyond // 2)
-        return 2 * eta / (1 - eta) + ROUNDING if eta < 0.01 else math.inf
-    if loading is not None:
-        return math.inf
-    # Products with E, n_i, n_k and s_jl have the degree density + 4; the rest is there to follow 1/W^2.
-    halves = (degree - density - 4) // 2 + 2
-    if halves < 2:
-        return math.inf
-    eta = _relative_approximation(shortest / (longest - shortest), halves) if longest > shortest else 0.0
-    if eta > 0.01:
-        return math.inf
-    return 6 * 2 * eta / (1 - eta) + ROUNDING * longest / shortest
-
-
-def _force_approximation(fabric: AxialFabric, loading: Loading, order: int) -> float:
-    """Bound of the relative error of the best polynomial of an order in y = 2 x^2 - 1 for (a s + c x^2)^(1/3).
-
-    Up to a factor it is (1 + w y)^(1/3), at least (1 - |w|)^(1/3) on the interval and at most 2^(1/3) on the Bernstein
-    ellipse that runs through the singularity.
-    """
-    a, c = (float(value) for value in loading.coefficients(fabric.D33))
-    if loading.opens() or loading.slips(fabric.D33) or not (a > 0 and c > 0):
-        return math.inf
-    w = abs(c - a) / (c + a)
-    if w == 0:
-        return 0.0
-    if w == 1:  # to rounding: the singularity is at the end of the interval
-        return math.inf
-    grown = (1 + math.sqrt((1 - w) * (1 + w))) / w
-    if order * math.log(grown) > 300:
-        return 0.0
-    return 2 * math.cbrt(2 / (1 - w)) * grown**-order / (grown - 1)
-
-
-def _relative_approximation(gap: float, halves: int) -> float:
-    """Smallest \\|1 - q W^2\\| that a T_j(y) + b T_(j-1)(y) reaches, in y = 2 x^2 - 1 of either sign.
-
-    W has its zero at \\|y\\| = 1 + 2 gap outside the interval; 1 - q W^2 must be 1 there, with slope 0.
-    """
-    angle, j = 2 * math.asinh(math.sqrt(gap)), halves
-    if j * angle > 300:
-        return 0.0
-    ratio = j * math.sinh(j * angle) / ((j - 1) * math.sinh((j - 1) * angle))
-    a = 1 / (math.cosh(j * angle) - ratio * math.cosh((j - 1) * angle))
-    return abs(a) * (1 + ratio)
 
 
 def components_by_degree(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
@@ -305,7 +208,8 @@ def components_by_cubature(fabric: AxialFabric, *, poisson_ratio: float, hypothe
 
     Source
     ------
-    Eq. (1), and Figure 1(b) with eq. (23).
+    Eq. (1), and Figure 1(b) with eq. (23). The forces of spheroids under the static hypothesis balance the stress by
+    the mean of n^l_i n_k over the contacts, n^l along the branch, in place of N_ik.
     """
     import numpy as np
 
@@ -314,20 +218,49 @@ def components_by_cubature(fabric: AxialFabric, *, poisson_ratio: float, hypothe
     squared = n[2] ** 2
     rank_four = fabric.D3333 * ((35 * squared - 30) * squared + 3) / 8
     density = weights * (1 + np.einsum("iq,ij,jq->q", n, normals, n) + rank_four)
-    branch = 1 + np.einsum("iq,ij,jq->q", n, branches, n)
-    normal, shear, apart = _contact_stiffness(fabric, loading, n[2], poisson_ratio)
+    branch = n * (1 + np.einsum("iq,ij,jq->q", n, branches, n))
+    if fabric.aspect_ratio != 1.0:
+        branch = branch_vectors(fabric.aspect_ratio, n)
+    normal, shear, apart = contact_stiffness(fabric, loading, n[2], poisson_ratio)
     if hypothesis is Hypothesis.KINEMATIC:
-        spring = _contact_tensor(n, apart, shear)
-        return _components(_mandel(_fourth_rank(n, spring, density * branch**2)))
-    flexibility = _contact_tensor(n, -apart / (normal * shear), 1 / shear)
-    carried = np.linalg.inv((density * n) @ n.T) @ n
-    compliance = _mandel(_fourth_rank(carried, flexibility, density / branch**2))
-    return _components(np.asarray(np.linalg.inv(compliance), dtype=np.float64))
+        spring = contact_tensor(n, apart, shear)
+        raw = axially_clean(fourth_rank(density * branch[:, None] * branch[None, :], spring))
+        return axial_components(mandel_matrix(spin_relaxed(raw) if fabric.free_spin else symmetrised(raw)))
+    flexibility = contact_tensor(n, -apart / (normal * shear), 1 / shear)
+    length = np.sqrt(np.sum(branch**2, axis=0))
+    carried = np.linalg.inv((density / length * branch) @ n.T).T @ n / length
+    raw = axially_clean(fourth_rank(density * carried[:, None] * carried[None, :], flexibility))
+    return axial_components(np.asarray(np.linalg.inv(mandel_matrix(symmetrised(raw))), dtype=np.float64))
 
 
-def _contact_stiffness(fabric: AxialFabric, loading: Loading | None, cosine: Array,
+def contact_stiffness(fabric: AxialFabric, loading: Loading | None, cosine: Array,
                        poisson_ratio: float) -> tuple[Array, Array, Array]:
-    """k_n, k_r and k_n - k_r over k_n,ref in every direction; without slip nothing is subtracted."""
+    """Contact stiffnesses in every direction.
+
+    Parameters
+    ----------
+    fabric : AxialFabric
+        Contact normals about axis 3 [-].
+    loading : Loading or None
+        Stress and friction; None for contacts of equal stiffness.
+    cosine : (n,) array
+        Cosine of the angle from axis 3 [-].
+    poisson_ratio : float
+        Poisson's ratio of the grain material [-], 0 <= nu <= 0.5.
+
+    Returns
+    -------
+    normal, shear, apart : (n,) array
+        k_n, k_r and k_n - k_r over k_n,ref [-].
+
+    Accuracy
+    --------
+    A few units in the last place; without slip nothing is subtracted.
+
+    Source
+    ------
+    Eqs (20), (21) and (23).
+    """
     import numpy as np
 
     from granular.contact_distribution import normal_stiffness, shear_stiffness
@@ -338,43 +271,3 @@ def _contact_stiffness(fabric: AxialFabric, loading: Loading | None, cosine: Arr
         return normal, 2 * (1 - poisson_ratio) / (2 - poisson_ratio) * normal, share * normal
     shear = shear_stiffness(fabric, loading, cosine, poisson_ratio=poisson_ratio)
     return normal, shear, normal - shear
-
-
-def _contact_tensor(n: Array, along: Array, isotropic: Array) -> Array:
-    """Evaluate along n_j n_l + isotropic delta_jl in every direction, (3, 3, n)."""
-    import numpy as np
-
-    tensor: Array = along * n[:, None] * n[None, :] + isotropic * np.eye(3)[:, :, None]
-    return tensor
-
-
-def _fourth_rank(vectors: Array, contact: Array, weights: Array) -> Array:
-    """Sum v_i c_jl v_k over the directions into T_ijkl, symmetrised in ij and in kl.
-
-    Mirrors through the three coordinate planes leave the fabric as it is, so that components with an index an odd
-    number of times vanish; what rounding makes of them is dropped.
-    """
-    import numpy as np
-
-    outer = (weights * vectors[:, None] * vectors[None, :]).reshape(9, -1)
-    raw = (outer @ contact.reshape(9, -1).T).reshape(3, 3, 3, 3).transpose(0, 2, 1, 3)
-    half = (raw + raw.transpose(1, 0, 2, 3)) / 2
-    index = np.indices((3, 3, 3, 3))
-    even = np.all([(index == axis).sum(axis=0) % 2 == 0 for axis in range(3)], axis=0)
-    symmetric: Array = np.where(even, (half + half.transpose(0, 1, 3, 2)) / 2, 0.0)
-    return symmetric
-
-
-def _mandel(tensor: Array) -> Array:
-    """Write the 6 x 6 Mandel matrix of a fourth-rank tensor, order 11, 22, 33, 23, 13, 12."""
-    import numpy as np
-
-    first, second = np.array([0, 1, 2, 1, 0, 0]), np.array([0, 1, 2, 2, 2, 1])
-    scale = np.array([1.0, 1.0, 1.0] + 3 * [math.sqrt(2)])
-    matrix: Array = tensor[first[:, None], second[:, None], first[None, :], second[None, :]]
-    return matrix * np.outer(scale, scale)
-
-
-def _components(mandel: Array) -> Six:
-    return (float(mandel[0, 0]), float(mandel[2, 2]), float(mandel[0, 1]), float(mandel[0, 2]),
-            float(mandel[3, 3] / 2), float(mandel[5, 5] / 2))

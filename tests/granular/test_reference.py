@@ -13,7 +13,7 @@ from granular.checks.sample import admissible_sample
 from granular.checks.stored import CertifiedCase, stored_cases, stored_comparisons
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
-from granular.routes import axial, certified, closed_form, exact, midpoint, sphere
+from granular.routes import axial, certified, closed_form, exact, midpoint, sphere, sphere_bounds
 
 CASES = stored_cases()
 ULP = 2.0**-52
@@ -117,4 +117,4 @@ def test_cubature_rules_of_another_library(scheme: str, degree: int, hypothesis:
     enclosures = certified.enclose(fabric, poisson_ratio=0.21, hypothesis=hypothesis)
     error = max(abs(float((Fraction(value) - e.midpoint) / e.midpoint))
                 for value, e in zip(components, enclosures, strict=True))
-    assert error <= sphere.declared_error(fabric, hypothesis=hypothesis, degree=degree)
+    assert error <= sphere_bounds.declared_error(fabric, hypothesis=hypothesis, degree=degree)

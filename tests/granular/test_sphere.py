@@ -11,7 +11,7 @@ from granular.checks.sample import admissible_sample
 from granular.errors import RouteOutOfDomain
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
-from granular.routes import certified, sphere
+from granular.routes import certified, sphere, sphere_bounds
 
 
 def error(components: tuple[float, ...], fabric: AxialFabric, nu: float, hypothesis: Hypothesis) -> float:
@@ -20,14 +20,14 @@ def error(components: tuple[float, ...], fabric: AxialFabric, nu: float, hypothe
                for value, e in zip(components, enclosures, strict=True))
 
 
-@pytest.mark.parametrize("degree", [degree for degree in sphere.DEGREES if degree >= 9])
+@pytest.mark.parametrize("degree", [degree for degree in sphere_bounds.DEGREES if degree >= 9])
 @pytest.mark.parametrize("fabric", [
     AxialFabric(D33=0.3, Dr33=-0.3), AxialFabric(D33=-1.0, Dr33=0.9), AxialFabric(D33=0.5, D3333=0.5, Dr33=-0.7),
     AxialFabric(D33=2.0, Dr33=1.6)], ids=str)
 def test_the_bound_holds_at_every_degree(fabric: AxialFabric, degree: int) -> None:
     """The declared error of a rule is below its real error."""
     for hypothesis in Hypothesis:
-        declared = sphere.declared_error(fabric, hypothesis=hypothesis, degree=degree)
+        declared = sphere_bounds.declared_error(fabric, hypothesis=hypothesis, degree=degree)
         components = sphere.components_by_degree(fabric, poisson_ratio=0.21, hypothesis=hypothesis, degree=degree)
         assert error(components, fabric, 0.21, hypothesis) <= declared
 
@@ -45,7 +45,7 @@ def test_random_fabrics(rtol: float | None) -> None:
                 assert not -0.7 < fabric.Dr33 < 1.4
                 continue
             served += 1
-            assert error(result.components, fabric, nu, hypothesis) <= result.relative_error <= (rtol or sphere.WANTED)
+            assert error(result.components, fabric, nu, hypothesis) <= result.relative_error <= (rtol or sphere_bounds.WANTED)
     assert served > 70
 
 
@@ -63,7 +63,7 @@ def test_the_lowest_degree_that_is_enough_is_taken() -> None:
 def test_a_rule_of_too_low_a_degree_promises_nothing() -> None:
     """A polynomial beyond the degree of the rule is declared exact, and is not."""
     fabric = AxialFabric(D33=0.3, Dr33=-0.3)
-    assert sphere.declared_error(fabric, hypothesis=Hypothesis.KINEMATIC, degree=9) == math.inf
+    assert sphere_bounds.declared_error(fabric, hypothesis=Hypothesis.KINEMATIC, degree=9) == math.inf
     components = sphere.components_by_degree(fabric, poisson_ratio=0.21, hypothesis=Hypothesis.KINEMATIC, degree=7)
     assert error(components, fabric, 0.21, Hypothesis.KINEMATIC) > 1e-6
 
