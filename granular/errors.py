@@ -197,11 +197,11 @@ class CurveIncomplete(GranularError):
     title = "A gradation curve that does not reach 0 and 1"
 
 
-class EffectNotBuilt(GranularError):
-    """The scene calls for an effect that this version does not simulate."""
+class BranchesUnusable(GranularError):
+    """Branch vectors given as a function of direction that no contacts can have."""
 
-    code = "G-EFF-01"
-    title = "An effect that is not built yet"
+    code = "G-FAB-02"
+    title = "Branch vectors that cannot be"
 
 
 class ComplianceInfinite(GranularError):
@@ -307,9 +307,8 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     UnitUnknown, UnitOfOtherDimension, QuantityUnreadable,
     UnknownKey, MissingKey, WrongType, ValueOutOfRange, UnknownChoice, ConflictingKeys, TensorUnusable,
     SymmetryNotBuilt, StressNotCompressive,
-    FabricOutOfRange,
+    FabricOutOfRange, BranchesUnusable,
     CurveMalformed, CurveInPercent, CurveNotMonotone, CurveIncomplete,
-    EffectNotBuilt,
     ComplianceInfinite,
     RouteOutOfDomain, CertifiedArithmeticMissing,
     IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,

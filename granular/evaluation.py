@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from granular.contact_law import reference_stiffness
 from granular.elasticity import Stiffness
 from granular.errors import ResultOutOfRange
-from granular.number_of_contacts import UNIT_OF_CONTACTS_PER_VOLUME, contacts_per_volume
-from granular.planning import COARSE, COARSE_SHARE, SCALING_ERROR, Plan, plan, route_accuracy
+from granular.hypothesis import Hypothesis
+from granular.number_of_contacts import PER_CUBIC_METRE, PER_DIAMETER_CUBED, contacts_per_volume
+from granular.planning import COARSE, COARSE_SHARE, Plan, plan, route_accuracy, scaling_error
 from granular.routes.catalogue import ROUTES
 from granular.routes.result import COMPONENTS, Six
 
 if TYPE_CHECKING:
     from granular.engineering import EngineeringConstants
-    from granular.hypothesis import Hypothesis
     from granular.ratios import Ratio
     from granular.scene import Scene
     from granular.waves import Waves
@@ -35,13 +35,13 @@ class Evaluation:
     relative_error : float
         Bound for the worst component, relative to that component [-].
     reference_stiffness : float
-        (M/V) l_e^2 k_n,ref [Pa].
+        (M/V) l_e^2 k_n,ref [Pa]; for graded grains l_e^2 is the mean square of the branch lengths.
     evaluations : int
         Directions in which the integrand was evaluated [-]; 0 for a closed form.
     contacts_per_volume : float
         M/V, in ``contacts_per_volume_unit``.
     contacts_per_volume_unit : str
-        1/(2 r_e)^3 while the scene gives no grain size.
+        1/m^3 where grain sizes are simulated, else 1/(2 r_e)^3.
     density : float or None
         Bulk density of the dry assembly [kg/m^3]; None when the scene gives no density of the grains.
     plan : Plan
@@ -94,6 +94,19 @@ class Evaluation:
         return engineering_constants(self.stiffness)
 
     @property
+    def shear_with_free_spin(self) -> float | None:
+        """C2323 [Pa] if each grain spun until it carried no net couple.
+
+        None for spheres, and where that is simulated already or means nothing (static hypothesis).
+        """
+        fabric = self.plan.fabric
+        if self.hypothesis is Hypothesis.STATIC or fabric.aspect_ratio == 1.0 or fabric.free_spin:
+            return None
+        spun = ROUTES[self.route].evaluate(replace(fabric, free_spin=True), poisson_ratio=self.plan.poisson_ratio,
+                                           hypothesis=self.hypothesis, loading=self.plan.loading)
+        return spun.components[COMPONENTS.index("C2323")] * self.reference_stiffness
+
+    @property
     def waves(self) -> Waves | None:
         """Wave speeds of the dry assembly [m/s]; None when the scene gives no density of the grains."""
         if self.density is None:
@@ -122,16 +135,16 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
 
     Raises
     ------
-    EffectNotBuilt, ConflictingKeys, MissingKey, ComplianceInfinite, RouteOutOfDomain, UnknownChoice, ValueOutOfRange,
-    NotFinite, WrongType
+    ConflictingKeys, MissingKey, ComplianceInfinite, RouteOutOfDomain, UnknownChoice, ValueOutOfRange, NotFinite,
+    WrongType
         As ``granular.planning.plan``.
     ResultOutOfRange
         A component does not fit into double precision with all its digits.
 
     Notes
     -----
-    Accuracy: every component to ``relative_error`` of itself; the route's bound and two roundings.
-    Source: eqs (1)-(9), (20)-(23).
+    Accuracy: every component to ``relative_error`` of itself; the route's bound, that of the branch lengths of graded
+    grains, and the roundings. Source: eqs (1)-(23).
 
     Examples
     --------
@@ -144,18 +157,25 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
     decided = plan(scene, rtol=rtol, route=route)
     result = ROUTES[decided.route].evaluate(
         decided.fabric, poisson_ratio=decided.poisson_ratio, hypothesis=decided.hypothesis, loading=decided.loading,
-        rtol=route_accuracy(decided.rtol))
+        rtol=route_accuracy(decided.rtol, decided.lengths))
     components, error = _axially_tied(result.components, result.relative_error)
-    coordination = scene.packing.coordination
+    coordination, lengths = scene.packing.coordination, decided.lengths
     reference = reference_stiffness(
         scene.grains.shear_modulus, decided.poisson_ratio, mean_stress=scene.stress.mean_stress,
         void_ratio=scene.packing.void_ratio, coordination_number=coordination, length_ratio=scene.length_ratio)
+    if lengths is not None:
+        reference *= lengths.second
+        if decided.hypothesis is Hypothesis.STATIC:  # 1/<l^-2> in place of <l^2>
+            components = _times(components, 1 / (lengths.second * lengths.inverse_second))
     return Evaluation(
         stiffness=Stiffness.transversely_isotropic(*_in_pascals(components, reference, decided)),
-        normalised=components, relative_error=error + SCALING_ERROR,
+        normalised=components, relative_error=error + scaling_error(lengths),
         reference_stiffness=reference, evaluations=result.evaluations,
-        contacts_per_volume=contacts_per_volume(scene.packing.void_ratio, coordination),
-        contacts_per_volume_unit=UNIT_OF_CONTACTS_PER_VOLUME, density=_bulk_density(scene), plan=decided)
+        contacts_per_volume=contacts_per_volume(
+            scene.packing.void_ratio, coordination,
+            grain_diameter=1.0 if lengths is None else lengths.equal_volume_diameter),
+        contacts_per_volume_unit=PER_DIAMETER_CUBED if lengths is None else PER_CUBIC_METRE,
+        density=_bulk_density(scene), plan=decided)
 
 
 def _axially_tied(components: Six, error: float) -> tuple[Six, float]:
@@ -165,6 +185,11 @@ def _axially_tied(components: Six, error: float) -> tuple[Six, float]:
         return components, error
     shear = (c1111 - c1122) / 2
     return (c1111, c3333, c1122, c1133, c2323, shear), error * (c1111 + c1122) / (c1111 - c1122)
+
+
+def _times(components: Six, factor: float) -> Six:
+    c1111, c3333, c1122, c1133, c2323, c1212 = (component * factor for component in components)
+    return c1111, c3333, c1122, c1133, c2323, c1212
 
 
 def _in_pascals(components: Six, reference: float, decided: Plan) -> Six:

@@ -64,13 +64,16 @@ DEFAULT_RELATION = CoordinationRelation(
     source="the empirical line quoted by Pan & Dong (1999) for their parametric study")
 """The relation used when a scene gives no coordination number."""
 
-UNIT_OF_CONTACTS_PER_VOLUME = "1/(2 r_e)^3"
+PER_DIAMETER_CUBED = "1/(2 r_e)^3"
 """Unit of the number of contacts per volume while no grain size is given: per cube of one grain diameter."""
+
+PER_CUBIC_METRE = "1/m^3"
+"""The same where the sizes of the grains are known."""
 
 
 def contacts_per_volume(void_ratio: float, coordination_number: float, *,
                         grain_diameter: float = 1.0) -> float:
-    """Contacts per volume of an assembly of equal spheres, M/V.
+    """Contacts per volume of an assembly, M/V; graded grains count by the sphere of their mean volume.
 
     Without a grain diameter the unit of length is the diameter 2 r_e itself, and the number is per (2 r_e)^3.
     The stiffness needs no more than that, for it does not depend on the grain size.

@@ -10,11 +10,13 @@ from granular.effects.selection import Selection, select
 from granular.errors import ComplianceInfinite, RouteOutOfDomain, WrongType
 from granular.fabric import AxialFabric
 from granular.fields import Number, chosen
+from granular.gradation import length_moments
 from granular.hypothesis import Hypothesis
 from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Promise, Route
 from granular.units import shown
 
 if TYPE_CHECKING:
+    from granular.gradation import LengthMoments, SizeDistribution
     from granular.loading import Loading
     from granular.scene import Scene
 
@@ -53,6 +55,10 @@ class Plan:
         What the simulated effects leave of the scene's fabric [-].
     loading : Loading or None
         What the stress does to the contacts; None when all contacts are taken as equally stiff.
+    sizes : SizeDistribution or None
+        Sizes of the grains; None when all are taken as equally large.
+    lengths : LengthMoments or None
+        What the sizes do to the branch lengths.
     poisson_ratio : float
         Poisson ratio of the solid [-].
     evaluations : int
@@ -71,6 +77,8 @@ class Plan:
     effects_not_called_for: dict[str, str]
     fabric: AxialFabric
     loading: Loading | None
+    sizes: SizeDistribution | None
+    lengths: LengthMoments | None
     poisson_ratio: float
     evaluations: int
     relative_error: float
@@ -96,8 +104,6 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
 
     Raises
     ------
-    EffectNotBuilt
-        The scene calls for an effect that is not built.
     ConflictingKeys, MissingKey
         The scene's list of effects contradicts itself, or lacks data.
     ComplianceInfinite
@@ -130,23 +136,50 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
     fabric, hypothesis = selection.fabric, scene.model.hypothesis
     if hypothesis is Hypothesis.STATIC:
         _require_finite_compliance(selection)
-    best, promise, reason = _decide(name, fabric, hypothesis, selection.loading, route_accuracy(wanted))
-    _require_accuracy(best, promise, wanted)
+    lengths = None if selection.sizes is None else length_moments(selection.sizes)
+    scaling = scaling_error(lengths)
+    left = route_accuracy(wanted, lengths)
+    _require_reachable(wanted, left, scaling)
+    best, promise, reason = _decide(name, fabric, hypothesis, selection.loading, left)
+    _require_accuracy(best, promise, wanted, left, scaling)
     return Plan(
         hypothesis=hypothesis, route=best.name, route_reason=reason,
         effects_simulated=tuple(selection.simulated), called_for=selection.simulated,
         effects_not_called_for=selection.not_called_for, fabric=fabric, loading=selection.loading,
-        poisson_ratio=scene.grains.poisson_ratio, evaluations=promise.evaluations,
-        relative_error=promise.relative_error + SCALING_ERROR, rtol=wanted)
+        sizes=selection.sizes, lengths=lengths, poisson_ratio=scene.grains.poisson_ratio,
+        evaluations=promise.evaluations, relative_error=promise.relative_error + scaling, rtol=wanted)
 
 
-def route_accuracy(rtol: float | None) -> float | None:
+def scaling_error(lengths: LengthMoments | None) -> float:
+    """What the step to pascals adds to the error of a route.
+
+    Parameters
+    ----------
+    lengths : LengthMoments or None
+        Moments of the branch lengths of graded grains.
+
+    Returns
+    -------
+    float
+        Bound relative to a component [-]: ``SCALING_ERROR``, and for graded grains the errors of two moments, which
+        both enter a static component, with as many roundings.
+
+    Notes
+    -----
+    Source: the products in ``granular.evaluation``.
+    """
+    return SCALING_ERROR if lengths is None else 2 * (SCALING_ERROR + lengths.relative_error)
+
+
+def route_accuracy(rtol: float | None, lengths: LengthMoments | None = None) -> float | None:
     """What is left of a wanted accuracy for the route, before the step to pascals and the tie of C1212.
 
     Parameters
     ----------
     rtol : float or None
         Wanted relative accuracy of every component in pascals [-].
+    lengths : LengthMoments or None
+        Moments of the branch lengths of graded grains.
 
     Returns
     -------
@@ -155,11 +188,11 @@ def route_accuracy(rtol: float | None) -> float | None:
 
     Notes
     -----
-    Source: ``SCALING_ERROR`` and ``COARSE_SHARE``.
+    Source: :func:`scaling_error` and ``COARSE_SHARE``.
     """
     if rtol is None:
         return None
-    return (COARSE_SHARE * rtol if rtol > COARSE else rtol) - SCALING_ERROR
+    return (COARSE_SHARE * rtol if rtol > COARSE else rtol) - scaling_error(lengths)
 
 
 def _require_finite_compliance(selection: Selection) -> None:
@@ -194,15 +227,25 @@ def _decide(name: str, fabric: AxialFabric, hypothesis: Hypothesis, loading: Loa
                            remedy=f"Use route {AUTO[-1]}, which serves every admissible scene.")
 
 
-def _require_accuracy(route: Route, promise: Promise, rtol: float | None) -> None:
-    wanted = route_accuracy(rtol)
+def _require_reachable(rtol: float | None, left: float | None, scaling: float) -> None:
+    """Refuse what no route can make up for: the branch lengths of graded grains are not known well enough."""
+    if left is None or left > 0 or scaling <= SCALING_ERROR:
+        return
+    raise RouteOutOfDomain(f"rtol = {rtol!r} with a gradation",
+                           allowed=f"allowed rtol > {scaling / COARSE_SHARE:.2e}, for the branch lengths are known to "
+                           f"{scaling:.2e}", remedy="Ask for less.")
+
+
+def _require_accuracy(route: Route, promise: Promise, rtol: float | None, wanted: float | None,
+                      scaling: float) -> None:
     if wanted is None or wanted >= promise.relative_error:
         return
     if math.isinf(promise.relative_error):
         raise RouteOutOfDomain(f"rtol = {rtol!r} by route {route.name}",
                                allowed=f"allowed no rtol there, because {route.title}, promises no accuracy",
                                remedy=f"Leave rtol out, or use route {AUTO[-1]}.")
-    closest = f"{(promise.relative_error + SCALING_ERROR) * 1.005:.2e}"  # rounded up, so that it will be granted
+    total = promise.relative_error + scaling
+    closest = f"{(total if total <= COARSE else total / COARSE_SHARE) * 1.005:.2e}"  # rounded up: it will be granted
     better = "" if route.name == MOST_ACCURATE else f", or use route {MOST_ACCURATE}"
     raise RouteOutOfDomain(f"rtol = {rtol!r} by route {route.name}",
                            allowed=f"allowed rtol >= {closest} for this fabric",

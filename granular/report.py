@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from granular.hypothesis import Hypothesis
+from granular.number_of_contacts import PER_CUBIC_METRE, PER_DIAMETER_CUBED
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
 
 BOUND = {Hypothesis.KINEMATIC: "uniform strain, an upper bound", Hypothesis.STATIC: "uniform stress, a lower estimate"}
 """What each hypothesis means for the result."""
+
+CONTACTS = {PER_DIAMETER_CUBED: "per (2 r_e)^3, the cube of one grain diameter", PER_CUBIC_METRE: "per m^3"}
+"""The unit of the number of contacts in words."""
 
 MEANING = {
     "C1111": "horizontal compression", "C3333": "vertical compression",
@@ -59,6 +63,15 @@ def evaluation_as_json(result: Evaluation) -> dict[str, Any]:
         "contacts_per_volume": result.contacts_per_volume,
         "contacts_per_volume_unit": result.contacts_per_volume_unit,
     }
+    sizes, lengths = result.plan.sizes, result.plan.lengths
+    if sizes is not None and lengths is not None:
+        content["grain_sizes"] = {
+            "D10": sizes.D10, "D30": sizes.D30, "D50": sizes.D50, "D60": sizes.D60,
+            "uniformity": sizes.uniformity, "curvature": sizes.curvature,
+            "equal_volume_diameter": lengths.equal_volume_diameter,
+            "second_moment": lengths.second, "inverse_second_moment": lengths.inverse_second}
+    if (free := result.shear_with_free_spin) is not None:
+        content["C2323_with_free_spin"] = free
     if (waves := result.waves) is not None:
         content["waves"] = _waves_as_json(waves)
     return content
@@ -142,7 +155,9 @@ def evaluation_as_text(result: Evaluation) -> list[RenderableType]:
         "error bound": _bound(result.relative_error),
         "route": f"{result.route} ({result.evaluations} evaluations of the integrand)",
         "unit": f"(M/V) l_e^2 k_n,ref = {_pressure(result.reference_stiffness)}",
-        "contacts": f"{result.contacts_per_volume:.7g} per (2 r_e)^3, the cube of one grain diameter",
+        "contacts": f"{result.contacts_per_volume:.7g} {CONTACTS[result.contacts_per_volume_unit]}",
+        "grain sizes": _sizes(result),
+        "spin": _spin(result),
         **_effects(result.plan),
     })]
     return blocks
@@ -221,6 +236,25 @@ def _wave_table(waves: Waves) -> RenderableType:
         f"{'Thomsen':<11}epsilon {thomsen.epsilon:.5g}  gamma {thomsen.gamma:.5g}  delta {delta}",
         f"{'fastest S':<11}{waves.fastest_shear.polarisation} {waves.fastest_shear.speed:.5g} m/s, "
         f"{waves.fastest_shear.degrees:.4g} deg from axis 3")
+
+
+def _sizes(result: Evaluation) -> str:
+    sizes, lengths = result.plan.sizes, result.plan.lengths
+    if sizes is None or lengths is None:
+        return ""
+    factor, what = ((lengths.second, "<l^2>") if result.hypothesis is Hypothesis.KINEMATIC
+                    else (1 / lengths.inverse_second, "1/<l^-2>"))
+    return (f"D10 {sizes.D10 * 1e3:.4g}  D50 {sizes.D50 * 1e3:.4g}  D60 {sizes.D60 * 1e3:.4g} mm, "
+            f"C_u {sizes.uniformity:.4g}  C_c {sizes.curvature:.4g}; the sphere of mean volume has the diameter "
+            f"{lengths.equal_volume_diameter * 1e3:.4g} mm, and {what} is {factor:.5g} times its square")
+
+
+def _spin(result: Evaluation) -> str:
+    free = result.shear_with_free_spin
+    if free is None:
+        return "each grain spins until it carries no net couple" if result.plan.fabric.free_spin else ""
+    return ("grains turn with the mean deformation; if each spun until it carried no net couple, "
+            f"C2323 would be {_pressure(free)}")
 
 
 def _effects(decided: Plan) -> dict[str, str]:

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from granular.anisotropy import BranchAnisotropy, ContactNormals
 from granular.errors import ConflictingKeys, GranularError, MissingKey, ValueOutOfRange
-from granular.fabric import AxialFabric
+from granular.fabric import FLATTEST, AxialFabric
 from granular.fields import Number, Text, Word, WordsOrAuto
 from granular.gradation import SIZE, SPREAD, Lognormal, SizeDistribution, read_curve
 from granular.hypothesis import Hypothesis
@@ -181,7 +181,7 @@ def _curve_from(file: str) -> SizeDistribution:
 class Shape(Table):
     """Aligned spheroids with exact branch vectors."""
 
-    aspect_ratio: Annotated[float, Number(above=0.0)] = Field(
+    aspect_ratio: Annotated[float, Number(above=1 / FLATTEST, below=FLATTEST)] = Field(
         description="b/a, with b along axis 3 and a across")
     spin: Annotated[str, Word(words=("fixed", "relaxed"))] = Field(
         default="fixed", description="grains turn with the mean deformation (fixed), or each is free to spin until "
@@ -310,7 +310,10 @@ class Scene(Table):
         D33, D3333 = normals.coefficients if normals is not None else (0.0, 0.0)
         anisotropy = self.branches.anisotropy if self.branches is not None else None
         Dr33 = anisotropy.coefficient if anisotropy is not None else 0.0
-        return AxialFabric(D33=D33, D3333=D3333, Dr33=Dr33)
+        if self.shape is None:
+            return AxialFabric(D33=D33, D3333=D3333, Dr33=Dr33)
+        return AxialFabric(D33=D33, D3333=D3333, aspect_ratio=self.shape.aspect_ratio,
+                           free_spin=self.shape.spin == "relaxed")
 
     @property
     def length_ratio(self) -> float:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+    from granular.gradation import SizeDistribution
     from granular.loading import Loading
     from granular.scene import Scene
 
@@ -41,13 +42,15 @@ class Effect:
     source : str
         Equations that it comes from.
     without : str
-        What leaving it out means, for the error of an effect that is not built.
+        What leaving it out means.
     called_for : callable
         Decides from a scene.
     add_to_fabric : callable or None
         Puts the scene's share of the effect into the fabric that is computed; None where it has no share.
     add_to_loading : callable or None
         The same for what the stress does to the contacts.
+    sizes : callable or None
+        The grain sizes of a scene, for the effect that carries them.
     requires : tuple of str
         Effects without which this one means nothing.
     """
@@ -59,9 +62,5 @@ class Effect:
     called_for: Callable[[Scene], Called]
     add_to_fabric: Callable[[Scene, AxialFabric], AxialFabric] | None = None
     add_to_loading: Callable[[Scene, Loading | None], Loading] | None = None
+    sizes: Callable[[Scene], SizeDistribution] | None = None
     requires: tuple[str, ...] = ()
-
-    @property
-    def built(self) -> bool:
-        """Whether this version simulates the effect."""
-        return self.add_to_fabric is not None or self.add_to_loading is not None

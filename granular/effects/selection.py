@@ -1,4 +1,4 @@
-"""Which effects a scene gets: those it calls for, or those it lists, and nothing that is not built."""
+"""Which effects a scene gets: those it calls for, or those it lists, and nothing else."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.effects import CATALOGUE, Called, Effect
-from granular.errors import ConflictingKeys, EffectNotBuilt
+from granular.errors import ConflictingKeys
 from granular.fabric import AxialFabric
 
 if TYPE_CHECKING:
+    from granular.gradation import SizeDistribution
     from granular.loading import Loading
     from granular.scene import Scene
 
@@ -31,12 +32,15 @@ class Selection:
         What the simulated effects leave of the scene's fabric [-].
     loading : Loading or None
         What the stress does to the contacts; None when all contacts are taken as equally stiff.
+    sizes : SizeDistribution or None
+        Sizes of the grains; None when all are taken as equally large.
     """
 
     simulated: dict[str, str]
     not_called_for: dict[str, str]
     fabric: AxialFabric
     loading: Loading | None
+    sizes: SizeDistribution | None
 
 
 def select(scene: Scene) -> Selection:
@@ -54,12 +58,10 @@ def select(scene: Scene) -> Selection:
 
     Raises
     ------
-    EffectNotBuilt
-        An effect that is called for, or listed, is not built; it is never left out silently.
     ConflictingKeys
         An effect is listed without one that it needs, or contacts would carry tension.
     MissingKey
-        Slip is listed, and the scene gives no friction.
+        Slip or gradation is listed, and the scene gives no friction or no grain sizes.
 
     Notes
     -----
@@ -78,7 +80,6 @@ def select(scene: Scene) -> Selection:
     called = {effect.name: effect.called_for(scene) for effect in CATALOGUE}
     wanted = [effect for effect in CATALOGUE
               if (called[effect.name].wanted if listed == "auto" else effect.name in listed)]
-    _require_built(wanted, called, by_list=listed != "auto")
     names = {effect.name for effect in wanted}
     needed = {name: effect.name for effect in wanted for name in effect.requires if name not in names}
     if listed == "auto":
@@ -87,17 +88,23 @@ def select(scene: Scene) -> Selection:
         names |= set(needed)
     else:
         _require_companions(scene, names, needed)
-    fabric, loading = AxialFabric(), None
+    fabric, loading, sizes = AxialFabric(), None, None
     for effect in wanted:
+        if effect.sizes is not None:
+            sizes = effect.sizes(scene)
         if effect.add_to_fabric is not None:
             fabric = effect.add_to_fabric(scene, fabric)
         if effect.add_to_loading is not None:
             loading = effect.add_to_loading(scene, loading)
     return Selection(
         simulated={name: call.reason for name, call in called.items() if name in names},
-        not_called_for={name: f"{LEFT_OUT} ({call.reason})" if call.wanted else call.reason
-                        for name, call in called.items() if name not in names},
-        fabric=fabric, loading=loading)
+        not_called_for={effect.name: _left_out(effect, called[effect.name]) for effect in CATALOGUE
+                        if effect.name not in names},
+        fabric=fabric, loading=loading, sizes=sizes)
+
+
+def _left_out(effect: Effect, call: Called) -> str:
+    return f"{LEFT_OUT}: {effect.without} ({call.reason})" if call.wanted else call.reason
 
 
 def _require_companions(scene: Scene, names: set[str], needed: dict[str, str]) -> None:
@@ -110,24 +117,3 @@ def _require_companions(scene: Scene, names: set[str], needed: dict[str, str]) -
         raise ConflictingKeys("model.effects lists kinetic without opening under a stress with a tension",
                               allowed="allowed only contacts that carry no tension",
                               remedy="Add opening to the list, or take kinetic off.")
-
-
-def _require_built(wanted: list[Effect], called: dict[str, Called], *, by_list: bool) -> None:
-    missing = [effect for effect in wanted if not effect.built]
-    if not missing:
-        return
-    built = [effect.name for effect in CATALOGUE if effect.built]
-    allowed = f"built so far are {_joined(built)}"
-    names = _joined([effect.name for effect in missing])
-    them = "it" if len(missing) == 1 else "them"
-    without = "; ".join(effect.without for effect in missing)
-    if by_list:
-        raise EffectNotBuilt(f"model.effects lists {names}", allowed=allowed, remedy=f"Take {them} off: {without}.")
-    why = "; ".join(f"{effect.name}: {called[effect.name].reason}" for effect in missing)
-    keep = ", ".join(f'"{effect.name}"' for effect in wanted if effect.built)
-    raise EffectNotBuilt(f"the scene calls for {names} ({why})", allowed=allowed,
-                         remedy=f"Write effects = [{keep}] under [model] to leave {them} out: {without}.")
-
-
-def _joined(names: list[str]) -> str:
-    return " and ".join((", ".join(names[:-1]), names[-1]) if len(names) > 1 else names)

@@ -1,11 +1,9 @@
-"""Effects: what a scene calls for, decided exactly, and what happens to effects that are not built."""
+"""Effects: what a scene calls for, decided exactly, and what of the scene each of them carries."""
 
 from __future__ import annotations
 
 import importlib
-import json
 import math
-import re
 from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
@@ -17,7 +15,7 @@ from hypothesis import strategies as st
 import granular.effects
 from granular.effects import CATALOGUE, Called, Effect, selection
 from granular.effects.selection import LEFT_OUT, select
-from granular.errors import ConflictingKeys, EffectNotBuilt, MissingKey
+from granular.errors import ConflictingKeys, MissingKey
 from granular.fabric import AxialFabric
 from granular.loading import Loading
 from granular.scene import EFFECT_NAMES, Scene
@@ -64,10 +62,10 @@ def test_every_effect_describes_itself(effect):
     assert not effect.called_for(scene()).wanted
 
 
-def test_five_effects_are_built():
-    # Breaks when an effect claims to be built without changing anything, or loses its implementation.
-    built = [effect.name for effect in CATALOGUE if effect.built]
-    assert built == ["packing", "branches", "kinetic", "slip", "opening"]
+@pytest.mark.parametrize("effect", CATALOGUE, ids=list(BY_NAME))
+def test_every_effect_carries_something(effect):
+    # Breaks when an effect is in the catalogue and changes nothing of what is computed.
+    assert any((effect.add_to_fabric, effect.add_to_loading, effect.sizes))
 
 
 EXACT = [(-1.0, 0.5), (0.0, 1.0), (1.0, 1.75), (2.0, 3.0), (0.5, 4 / 3)]
@@ -113,7 +111,7 @@ def test_every_stress_has_a_reason(D33, ratio):
     ("packing", {"packing": {"contact_normals": {"D33": -0.0, "D3333": 0.0}}}, False),
     ("branches", {"branches": {"anisotropy": {"D33": 5e-324}}}, True),
     ("branches", {"branches": {"length_ratio": 1.2}}, False),
-    ("gradation", {"gradation": {"distribution": "curve", "file": "curve.csv"}}, True),
+    ("gradation", {"gradation": {"distribution": "lognormal", "median": 1.0, "spread": 1.0000000000000002}}, True),
     ("deviation", {"shape": {"aspect_ratio": 0.8}}, True),
     ("deviation", {"shape": {"aspect_ratio": 1.0}}, False),
     ("slip", {"grains": {"friction_coefficient": 0.2}}, False),
@@ -170,41 +168,38 @@ def test_an_empty_list_is_the_ideal_assembly():
     assert chosen.simulated == {}
 
 
-@pytest.mark.parametrize(("tables", "parts"), [
-    ({"shape": {"aspect_ratio": 0.8}}, ["deviation", "0.8", "effects = []"]),
-    ({"shape": {"aspect_ratio": 0.8}, "stress": {"ratio": 1.5}}, ["deviation", 'effects = ["kinetic"]']),
-    ({"gradation": {"distribution": "lognormal", "median": "5 mm", "spread": 1.5},
-      "packing": {"contact_normals": {"D33": 0.3}}, "grains": {"friction_angle": "12 deg"}},
-     ["gradation", "lognormal", 'effects = ["packing", "kinetic", "slip"]']),
-    ({"gradation": {"distribution": "lognormal", "median": "5 mm", "spread": 1.5}, "shape": {"aspect_ratio": 0.8}},
-     ["gradation and deviation", "leave them out"]),
-])
-def test_what_is_called_for_and_not_built_is_refused(tables, parts):
-    # Breaks when a scene is answered without an effect that it calls for; the message must say which, why, and how
-    # to leave it out.
-    content = deepcopy(SOUND)
-    for table, keys in tables.items():
-        content.setdefault(table, {}).update(keys)
-    with pytest.raises(EffectNotBuilt) as refused:
-        select(Scene.model_validate(content))
-    message = str(refused.value)
-    assert all(part in message for part in [*parts, "built so far"])
-    remedy = re.search(r"effects = (\[.*?\])", message)
-    content["model"] = {"effects": json.loads(remedy[1])}  # the remedy that the message gives
-    select(Scene.model_validate(content))
+SIZES = {"distribution": "lognormal", "median": "5 mm", "spread": 1.5}
 
 
-@pytest.mark.parametrize("name", [effect.name for effect in CATALOGUE if not effect.built])
-def test_what_is_listed_and_not_built_is_refused(name):
-    # Breaks when a list is answered without one of its entries, even one that the scene does not call for.
-    with pytest.raises(EffectNotBuilt, match=f"lists {name}.*Take it off"):
-        select(scene(model={"effects": ["packing", name]}))
+def test_sizes_and_shape_are_carried_together():
+    # Breaks when one of the two loses the other, or a spin is forgotten on the way.
+    chosen = select(scene(0.3, gradation=SIZES, shape={"aspect_ratio": 0.8, "spin": "relaxed"}))
+    assert list(chosen.simulated) == ["packing", "gradation", "deviation", "kinetic"]
+    assert chosen.fabric == AxialFabric(D33=0.3, aspect_ratio=0.8, free_spin=True)
+    assert chosen.sizes is not None
+    assert chosen.sizes.uniformity == pytest.approx(1.863, abs=5e-4)  # to the digits of the table of the normal law
+
+
+def test_sizes_and_shape_can_be_left_out():
+    # Breaks when a list keeps what it leaves out, or does not say what that means.
+    chosen = select(scene(gradation=SIZES, shape={"aspect_ratio": 0.8}, model={"effects": []}))
+    assert (chosen.fabric, chosen.sizes) == (AxialFabric(), None)
+    assert "all grains then have one size" in chosen.not_called_for["gradation"]
+    assert "taken as spheres" in chosen.not_called_for["deviation"]
+
+
+def test_spheres_that_spin_call_for_the_deviation():
+    # Breaks when free spin is simulated for spheroids only: the contacts of spheres turn with them as well.
+    chosen = select(scene(0.3, shape={"aspect_ratio": 1.0, "spin": "relaxed"}))
+    assert "deviation" in chosen.simulated
+    assert chosen.fabric.free_spin
 
 
 @pytest.mark.parametrize(("listed", "tables", "kind", "parts"), [
     (["slip"], {"grains": {"friction_angle": "12 deg"}}, ConflictingKeys, ["slip without kinetic", "Add kinetic"]),
     (["opening"], {}, ConflictingKeys, ["opening without kinetic"]),
     (["kinetic", "slip"], {}, MissingKey, ["friction_angle", "slip"]),
+    (["gradation"], {}, MissingKey, ["gradation", "no grain sizes", "Add [gradation]"]),
     (["kinetic"], {"stress": {"mean": None, "tensor": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}}, ConflictingKeys,
      ["kinetic without opening", "Add opening"]),
 ])
