@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from decimal import Context, Decimal, localcontext
 from fractions import Fraction
 from typing import TYPE_CHECKING
@@ -9,6 +10,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
+
+    from granular.fabric import AxialFabric
 
 DIGITS = Context(prec=40)
 """Working precision of the cube root: what is rounded is the result of a route alone."""
@@ -74,3 +77,41 @@ def branch_vectors(aspect_ratio: float, directions: ArrayLike) -> NDArray[np.flo
     height = np.sqrt(np.sum((scale * n) ** 2, axis=0))
     branch: NDArray[np.float64] = scale**2 * n / height * float(squared_equator(aspect_ratio)) ** 0.5
     return branch
+
+
+def stress_carried(fabric: AxialFabric) -> tuple[float, float]:
+    """Mean stress that the estimated contact forces make on spheroids, over the stress that they were estimated from.
+
+    The estimate of eq. (22) neglects the angle between branch and normal, so that its forces balance the stress on
+    spheres only.
+
+    Parameters
+    ----------
+    fabric : AxialFabric
+        Contact normals and aspect ratio [-].
+
+    Returns
+    -------
+    tuple of 2 float
+        Across and along axis 3: <n^l_i n_k>/N_ik with n^l along the branch [-]; both 1 for spheres.
+
+    Notes
+    -----
+    Accuracy: 1e-15. Source: eqs (24) and (25) with the forces of eq. (23).
+
+    Examples
+    --------
+    >>> from granular.fabric import AxialFabric
+    >>> [round(share, 3) for share in stress_carried(AxialFabric(aspect_ratio=0.8))]
+    [1.075, 0.814]
+    """
+    from math import fsum
+
+    from granular.hypothesis import Hypothesis
+    from granular.routes.contact_rule import suitable_contacts
+
+    nodes = suitable_contacts(replace(fabric, Dr33=0.0), None, Hypothesis.STATIC).directions
+    weight = nodes.balance(fabric)
+    across = fsum(map(float.__mul__, weight, nodes.sine_squared)) / 2
+    along = fsum(map(float.__mul__, weight, nodes.cosine_squared)) * fabric.aspect_ratio**2
+    return across / (1 / 3 - fabric.D33 / 15), along / (1 / 3 + 2 * fabric.D33 / 15)

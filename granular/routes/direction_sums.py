@@ -22,12 +22,12 @@ def contact_tensor(n: Array, along: Array, isotropic: Array) -> Array:
     n : (3, q) array
         Unit vectors [-].
     along, isotropic : (q,) array
-        What each contact has along its normal beyond the rest, and in all directions; of one unit.
+        What each contact has along its normal beyond the rest, and in all directions [any one unit].
 
     Returns
     -------
     (3, 3, q) array
-        Contact tensors, same unit.
+        Contact tensors [same unit].
 
     Source
     ------
@@ -47,12 +47,12 @@ def fourth_rank(products: Array, contact: Array) -> Array:
     products : (3, 3, q) array
         a_ik in every direction, weighted: products of two vectors, such as l_i l_k [-].
     contact : (3, 3, q) array
-        c_jl in every direction, of any unit.
+        c_jl in every direction [any one unit].
 
     Returns
     -------
     (3, 3, 3, 3) array
-        The sum, unit of the contacts, without any symmetrisation.
+        The sum [same unit], without any symmetrisation.
 
     Source
     ------
@@ -70,12 +70,12 @@ def axially_clean(tensor: Array) -> Array:
     Parameters
     ----------
     tensor : (3, 3, 3, 3) array
-        A sum over the directions of an axial fabric, of any unit.
+        A sum over the directions of an axial fabric [any one unit].
 
     Returns
     -------
     (3, 3, 3, 3) array
-        The same without them.
+        The same without them [same unit].
     """
     import numpy as np
 
@@ -91,12 +91,12 @@ def symmetrised(tensor: Array) -> Array:
     Parameters
     ----------
     tensor : (3, 3, 3, 3) array
-        Sum l_i k_jl l_k over the contacts, of any unit.
+        Sum l_i k_jl l_k over the contacts [any one unit].
 
     Returns
     -------
     (3, 3, 3, 3) array
-        What a strain meets whose grains turn with it.
+        What a strain meets whose grains turn with it [same unit].
 
     Source
     ------
@@ -115,12 +115,12 @@ def spin_relaxed(tensor: Array) -> Array:
     Parameters
     ----------
     tensor : (3, 3, 3, 3) array
-        Sum l_i k_jl l_k over the contacts, of any unit; not symmetrised.
+        Sum l_i k_jl l_k over the contacts [any one unit]; not symmetrised.
 
     Returns
     -------
     (3, 3, 3, 3) array
-        What a strain then meets, symmetrised.
+        What a strain then meets, symmetrised [same unit].
 
     Source
     ------
@@ -143,12 +143,12 @@ def mandel_matrix(tensor: Array) -> Array:
     Parameters
     ----------
     tensor : (3, 3, 3, 3) array
-        Of any unit.
+        Of a tensor [any one unit].
 
     Returns
     -------
     (6, 6) array
-        Same unit.
+        The matrix [same unit].
     """
     import numpy as np
 
@@ -164,12 +164,12 @@ def axial_components(mandel: Array) -> Six:
     Parameters
     ----------
     mandel : (6, 6) array
-        Of any unit.
+        Of a tensor [any one unit].
 
     Returns
     -------
     tuple of 6 float
-        C1111, C3333, C1122, C1133, C2323, C1212, same unit.
+        C1111, C3333, C1122, C1133, C2323, C1212 [same unit].
     """
     return (float(mandel[0, 0]), float(mandel[2, 2]), float(mandel[0, 1]), float(mandel[0, 2]),
             float(mandel[3, 3] / 2), float(mandel[5, 5] / 2))
