@@ -45,6 +45,7 @@ D33, D3333, Dr33 = sp.symbols("D33 D3333 Dr33", real=True)
 e0, e1, e2 = sp.symbols("e0 e1 e2", real=True)
 w0, w1 = sp.symbols("w0 w1", positive=True)
 N11, N33 = sp.symbols("N11 N33", positive=True)
+aspect_ratio, varrho = sp.symbols("aspect_ratio varrho", positive=True)
 v = sp.Symbol("v", real=True)
 
 # Contacts.
@@ -64,6 +65,7 @@ p0, p1, p2 = sp.symbols("p0 p1 p2", positive=True)
 # Elasticity.
 C1111, C3333, C2323, C1212 = sp.symbols("C1111 C3333 C2323 C1212", positive=True)
 C1122, C1133 = sp.symbols("C1122 C1133", real=True)
+relaxed_C2323 = sp.Symbol("relaxed_C2323", positive=True)
 S1111, S3333, S2323, S1212 = sp.symbols("S1111 S3333 S2323 S1212", positive=True)
 S1122, S1133 = sp.symbols("S1122 S1133", real=True)
 density = sp.Symbol("density", positive=True)
@@ -98,6 +100,14 @@ v0, v1, v2 = sp.symbols("v0 v1 v2", positive=True)
 g0, g1 = sp.symbols("g0 g1", nonnegative=True)
 eta = sp.Symbol("eta", real=True)
 
+# Gradation.
+r50, median = sp.symbols("r50 median", positive=True)
+log_variance, branch_log_variance = sp.symbols("log_variance branch_log_variance", positive=True)
+total_log_variance, mode_ratio = sp.symbols("total_log_variance mode_ratio", positive=True)
+order = sp.Symbol("order", real=True)
+void_ratio, coordination, mean_cube = sp.symbols("void_ratio coordination mean_cube", positive=True)
+kinematic_factor, static_factor = sp.symbols("kinematic_factor static_factor", positive=True)
+
 STIFFNESS = (C1111, C3333, C1122, C1133, C2323, C1212)
 COMPLIANCE = (S1111, S3333, S1122, S1133, S2323, S1212)
 POWER_MOMENTS = (m0, m1, m2)
@@ -123,6 +133,8 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(w1, r"w_1", "-", "> 0", "branch-length weight at the pole"),
     Quantity(N11, r"N_{11}", "-", "1/5 to 2/5", "horizontal component of the fabric tensor"),
     Quantity(N33, r"N_{33}", "-", "1/5 to 3/5", "vertical component of the fabric tensor"),
+    Quantity(aspect_ratio, r"\chi", "-", "> 0", "semi-axis of a spheroid along axis 3 over the one across"),
+    Quantity(varrho, r"\varrho", "-", "> 0", "form linear in y, pole over equator: squared aspect ratio of a spheroid"),
     Quantity(v, r"v", "-", "-1 to 1", "contrast of the roots of the branch-length weight at pole and equator"),
     Quantity(kn, r"k_n", "N/m", "> 0", "normal contact stiffness"),
     Quantity(ks, r"k_s", "N/m", "> 0", "tangential contact stiffness along the meridian"),
@@ -139,6 +151,7 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(p2, r"p_2", "-", "> 0", "moment of the weight with the fourth power of the cosine"),
     *(Quantity(c, rf"C_{{{c.name[1:]}}}", "Pa", "positive definite", f"stiffness component {c.name[1:]}")
       for c in STIFFNESS),
+    Quantity(relaxed_C2323, r"\tilde C_{2323}", "Pa", "> 0", "stiffness component 2323 when grains are free to spin"),
     *(Quantity(c, rf"S_{{{c.name[1:]}}}", "1/Pa", "positive definite", f"compliance component {c.name[1:]}")
       for c in COMPLIANCE),
     Quantity(M, r"M", "-", "> 0", "number of contacts in the representative volume"),
@@ -203,6 +216,20 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(g0, r"g_0", "-", ">= 0", "tangential less normal flexibility, moment with the fourth power of the sine"),
     Quantity(g1, r"g_1", "-", ">= 0", "tangential less normal flexibility, moment with squared sine and cosine"),
     Quantity(eta, r"\eta", "-", "-1 to 1", "contrast of the roots of the normal contact force at pole and equator"),
+    Quantity(r50, r"r_{50}", "m", "> 0", "size at which the density of eq. (18) is largest, its mode"),
+    Quantity(median, r"\tilde r", "m", "> 0", "median of a lognormal density in its classical form"),
+    Quantity(log_variance, r"L", "-", ">= 0", "variance of the logarithm of the grain size, the squared log of s_r"),
+    Quantity(total_log_variance, r"L_t", "-", ">= 0", "log variance of the lognormal in place of all branch lengths"),
+    Quantity(branch_log_variance, r"L_\ell", "-", ">= 0", "variance of the logarithm of the branch length, eq. (19)"),
+    Quantity(mode_ratio, r"\ell_{50}/r_{50}", "-", "> 0", "modes of branch length and grain radius, eqs (19) and (18)"),
+    Quantity(order, r"k", "-", "any", "order of a moment"),
+    Quantity(void_ratio, r"e", "-", "> 0", "volume of voids over volume of solids"),
+    Quantity(coordination, r"\bar N", "-", "> 0", "mean number of contacts of a grain"),
+    Quantity(mean_cube, r"\langle r^3\rangle_p", "m^3", "> 0", "mean cube of the grain radius over the grains"),
+    Quantity(kinematic_factor, r"\Gamma_{\mathrm{kin}}", "-", "> 0",
+             "gradation in the kinematic stiffness by eq. (19), 1 for equal spheres"),
+    Quantity(static_factor, r"\Gamma_{\mathrm{sta}}", "-", "> 0",
+             "gradation in the static stiffness by eq. (19), 1 for equal spheres"),
 )
 
 LATEX = {quantity.symbol: quantity.latex for quantity in GLOSSARY}
