@@ -11,13 +11,17 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from granular.errors import WrongType
 from granular.fields import Number
+from granular.gradation.lognormal import Lognormal
+from granular.gradation.measured_curve import MeasuredCurve
 from granular.gradation.size_distribution import SIZE, SizeDistribution, each
+from granular.units import shown
 
 if TYPE_CHECKING:
     from granular.gradation.size_distribution import Sizes
 
-_POWER = Number(at_least=-6.0, at_most=6.0, why="no stiffness or volume needs more",
+_POWER = Number(at_least=-4.0, at_most=4.0, why="no stiffness or volume needs more",
                 remedy="Give a power inside the interval.")
 
 
@@ -58,7 +62,7 @@ class BranchLengths(ABC):
         return each(self._density, length, "length", SIZE)
 
     def moment(self, power: float) -> Moment:
-        """Mean power of the branch length along a direction, <l^power>_g; ``power`` [-], -6 to 6."""
+        """Mean power of the branch length along a direction, <l^power>_g; ``power`` [-], -4 to 4."""
         return self._moment(_POWER.read(power, "power"))
 
     @abstractmethod
@@ -100,12 +104,12 @@ def branch_lengths(sizes: SizeDistribution) -> BranchLengths:
     >>> round(length.value, 5), length.relative_error < 1e-13
     (0.00508, True)
     """
-    from granular.errors import WrongType
-    from granular.gradation.lognormal import Lognormal
+    from granular.gradation.curve_branches import CurveBranches
     from granular.gradation.lognormal_branches import LognormalBranches
-    from granular.units import shown
 
     if isinstance(sizes, Lognormal):
         return LognormalBranches(sizes)
+    if isinstance(sizes, MeasuredCurve):
+        return CurveBranches(sizes)
     raise WrongType(f"sizes = {shown(sizes)}", allowed="allowed Lognormal or MeasuredCurve",
                     remedy="Build one of them.")

@@ -20,11 +20,14 @@ from functools import cached_property
 from granular.gradation.branch_lengths import BranchLengths, Moment
 from granular.gradation.lognormal import Lognormal
 
-INNER_STEP = 0.25
+INNER_STEP = 0.16
 """Step of the rule for h, in t [-]."""
 
-OUTER_STEP = 0.4
+OUTER_STEP = 0.375
 """Step of the rule for the moments, in z [-]."""
+
+FARTHEST = 90.0
+"""Farther than this from the median, in spreads, both densities are below the smallest double [-]."""
 
 NEGLIGIBLE = 41.0
 """Terms below exp(-NEGLIGIBLE) of the largest are left out [-]; what they sum to is below rounding."""
@@ -33,6 +36,9 @@ NEGLIGIBLE = 41.0
 @dataclass(frozen=True)
 class LognormalBranches(BranchLengths):
     """Branch lengths of lognormal grain sizes.
+
+    Over spreads up to 10 the second moments differ from certified ones by less than the error that is stated, 8e-15 at
+    a spread of 3 and 2e-14 at 10.
 
     Attributes
     ----------
@@ -53,24 +59,29 @@ class LognormalBranches(BranchLengths):
 
     def _total_density(self, length: float) -> float:
         z = self._place(length)
+        if abs(z) > FARTHEST:
+            return 0.0
         return math.exp(self._log_h(z) - math.log(length)) / (math.tau * self._log_spread)
 
     def _density(self, length: float) -> float:
         z = self._place(length)
+        if abs(z) > FARTHEST:
+            return 0.0
         peak, total = self._log_power_integral(0.0)
-        log_density = self._log_h(z) / 3.0 + 2.0 * self._log_spread * z / 3.0 - peak
+        log_density = self._log_h(z) / 3.0 + 2.0 / 3.0 * self._log_spread * z - peak
         return math.exp(log_density - math.log(length)) / (total * self._log_spread)
 
     def _place(self, length: float) -> float:
         return math.log(length / self.sizes.median_by_number) / self._log_spread
 
     def _moment(self, power: float) -> Moment:
-        ratio = self.log_moment(power) + power * math.log(self.sizes.median_by_number)
-        return Moment(value=math.exp(ratio), relative_error=self.moment_error(power))
+        # the rules err by less than rounding; what is left are roundings of exponents as large as 3/2 slope^2
+        slope = self._slope(power)
+        return Moment(value=math.exp(self.log_moment(power)) * self.sizes.median_by_number**power,
+                      relative_error=5e-15 + 1.5 * slope * slope * 2.0**-52)
 
-    def moment_error(self, power: float) -> float:
-        """Bound of the relative error of a moment [-]; ``power`` [-]."""
-        return 1e-14
+    def _slope(self, power: float) -> float:
+        return (2.0 / 3.0 + power) * self._log_spread
 
     def log_moment(self, power: float) -> float:
         """Logarithm of <l^power>_g with lengths in units of the median diameter by number [-]; ``power`` [-]."""
@@ -79,7 +90,7 @@ class LognormalBranches(BranchLengths):
 
     def _log_power_integral(self, power: float) -> tuple[float, float]:
         """Int h^(1/3) exp((2/3 + power) L z) dz as the logarithm of a factor and a number of the size of one."""
-        slope = (2.0 / 3.0 + power) * self._log_spread
+        slope = self._slope(power)
 
         def exponent(place: int) -> float:
             if place not in self._log_h_at:
@@ -120,5 +131,5 @@ def _terms(exponent: Callable[[int], float], start: int, *, least: int | None = 
 
 
 def _log_cosh(x: float) -> float:
-    """ln cosh x for x >= 0, to full relative accuracy also near zero."""
+    """Logarithm of cosh x for x >= 0, to full relative accuracy also near zero."""
     return 0.5 * math.log1p(math.sinh(x) ** 2) if x < 1.0 else x - math.log(2.0) + math.log1p(math.exp(-2.0 * x))

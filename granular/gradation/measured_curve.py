@@ -24,6 +24,9 @@ MOST_PERCENT = 100.5
 LEAST_PERCENT = 1.5
 """A curve that ends at more than this is in percent [-]; less is a fraction with a mistake in it."""
 
+CLOSEST = 1e-6
+"""Two sizes that differ by less, relatively, are one: no sieve tells them apart, and rounding would [-]."""
+
 
 @dataclass(frozen=True)
 class MeasuredCurve(SizeDistribution):
@@ -181,9 +184,11 @@ def sound_points(points: list[tuple[float, float]], places: list[str]) -> list[t
                                   allowed="allowed 0 <= fraction <= 1", remedy="Correct it there.")
     ordered = sorted(zip(points, places, strict=True), key=lambda pair: pair[0][0])
     for ((below, less), first), ((size, more), second) in pairwise(ordered):
-        if below == size:
-            raise CurveNotMonotone(f"{first} and {second} have the same size {size!r} m",
-                                   allowed="allowed one fraction for each size", remedy="Delete one of them.")
+        if size - below <= CLOSEST * size:
+            both = f"the same size {size!r} m" if below == size else f"the sizes {below!r} m and {size!r} m"
+            raise CurveNotMonotone(f"{first} and {second} have {both}",
+                                   allowed="allowed one fraction for each size, and sizes more than a millionth apart",
+                                   remedy="Delete one of them.")
         if less > more:
             raise CurveNotMonotone(
                 f"the fraction finer falls from {less!r} ({first}, {below!r} m) to {more!r} ({second}, {size!r} m)",

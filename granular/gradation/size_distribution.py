@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Sizes = float | npt.ArrayLike
     """One size or fraction, or an array of them."""
 
-SIZE = Number(dimension=LENGTH, at_least=1e-50, at_most=1e50, why="its cube must fit into double precision",
+SIZE = Number(dimension=LENGTH, at_least=1e-30, at_most=1e30, why="its powers must fit into double precision",
               remedy="Give the diameter of a grain, a positive length.")
 """Interval of the size of a grain [m]."""
 
