@@ -15,6 +15,7 @@ from derivations.kinetic_limits import kinetic_limits
 from derivations.mohr import mohr_circle
 from derivations.partial_slip import partial_slip
 from derivations.record import Derivation
+from derivations.spheroid import spheroid
 from derivations.static import static_constant, static_three
 from derivations.waves import waves
 
@@ -25,6 +26,7 @@ CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     kinematic_three,
     static_constant,
     static_three,
+    spheroid,
     contact_forces,
     mohr_circle,
     kinetic_components,
