@@ -8,6 +8,7 @@ from derivations.engineering import engineering, isotropic
 from derivations.equations import equations
 from derivations.fabric import fabric
 from derivations.forces import contact_forces
+from derivations.gradation import gradation
 from derivations.kinematic import kinematic_constant, kinematic_three
 from derivations.kinetic import kinetic
 from derivations.kinetic_components import kinetic_components
@@ -22,6 +23,7 @@ from derivations.waves import waves
 CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     fabric,
     equations,
+    gradation,
     kinematic_constant,
     kinematic_three,
     static_constant,
