@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from granular.errors import ResultOutOfRange
 from granular.hypothesis import Hypothesis
 from granular.routes.rational import accurate_sum, fractions_of, rounded
 from granular.routes.result import Six
@@ -91,6 +92,11 @@ def from_weights(fabric: AxialFabric, normal: Sequence[Fraction], shear: Sequenc
     sequence of 6 Fraction
         C1111, C3333, C1122, C1133, C2323, C1212 over (M/V) l_e^2 k_n,ref [-].
 
+    Raises
+    ------
+    ResultOutOfRange
+        Spheroids without friction that are free to spin do not resist vertical shear.
+
     Notes
     -----
     Accuracy: exact, but for the size of a spheroid, which is good to 1e-38. Source: eqs (6) and (7).
@@ -104,8 +110,12 @@ def from_weights(fabric: AxialFabric, normal: Sequence[Fraction], shear: Sequenc
 
     squared = Fraction(fabric.aspect_ratio) ** 2
     found = list(spheroid.stiffness_from_weights(*fractions_of(*normal, *shear, *apart, squared)))
-    if fabric.free_spin:
+    if fabric.free_spin and any(shear):
         found[4:5] = spheroid.relaxed_shear(*fractions_of(*shear, apart[1], squared))
+    elif fabric.free_spin and squared != 1:  # without friction no couple turns spheres: their shear stiffness stays
+        raise ResultOutOfRange("C2323 = 0 for spheroids without friction that are free to spin",
+                               allowed="allowed only a stiffness that resists every strain",
+                               remedy="Let the grains turn with the mean deformation, or give them friction.")
     return _over_equal_volume(fabric, found)
 
 
