@@ -157,8 +157,9 @@ class CurveBranches(BranchLengths):
         x = middle[:, None] + half[:, None] * nodes
         r = np.exp(x)
         rest = total[:, None] - r
-        terms = (self._polynomial(own, x) * self._polynomial(other, np.log(rest))) / (r * r * r * (rest * rest) ** 2)
-        found: Array = 2.0 * np.bincount(row, (terms @ weights) * half, minlength=len(lengths))
+        by_volume = self._polynomial(own, x) * self._polynomial(other, np.log(rest))
+        terms = by_volume / (r * r * r * (rest * rest) ** 2)
+        found: Array = np.multiply(2.0, np.bincount(row, (terms @ weights) * half, minlength=len(lengths)))
         return found
 
     def _pieces_of(self, lengths: Array) -> tuple[npt.NDArray[np.intp], Array, Array]:

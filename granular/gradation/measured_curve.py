@@ -27,6 +27,9 @@ LEAST_PERCENT = 1.5
 CLOSEST = 1e-6
 """Two sizes that differ by less, relatively, are one: no sieve tells them apart, and rounding would [-]."""
 
+WIDEST_RANGE = 1e12
+"""Largest size over the smallest [-]: from a nanometre to a kilometre."""
+
 
 @dataclass(frozen=True)
 class MeasuredCurve(SizeDistribution):
@@ -195,6 +198,10 @@ def sound_points(points: list[tuple[float, float]], places: list[str]) -> list[t
                 allowed="allowed only a fraction that rises with size or stays",
                 remedy="Correct one of the two rows, or exchange the columns if they hold the fraction coarser.")
     (start, _), (end, _) = ordered[0], ordered[-1]
+    if end[0] > WIDEST_RANGE * start[0]:
+        raise ValueOutOfRange(f"the sizes run from {start[0]!r} m to {end[0]!r} m",
+                              allowed=f"allowed up to {WIDEST_RANGE:g} times the smallest",
+                              remedy="Check the units of the sizes.")
     if start[1] != 0.0 or end[1] != 1.0:
         raise CurveIncomplete(f"the curve runs from {start[1]!r} at {start[0]!r} m to {end[1]!r} at {end[0]!r} m",
                               allowed="allowed only curves from 0 to 1",

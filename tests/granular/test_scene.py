@@ -19,10 +19,9 @@ from pydantic import ValidationError
 
 from granular import errors
 from granular.errors import GranularError
-from granular.gradation import Lognormal, MeasuredCurve
+from granular.gradation import Lognormal
 from granular.hypothesis import Hypothesis
-from granular.number_of_contacts import DEFAULT_RELATION, CoordinationRelation
-from granular.scene import Branches, Gradation, Grains, Packing, Scene, Shape, Stress, Table
+from granular.scene import Branches, Grains, Packing, Scene, Stress, Table
 from granular.scene_schema import schema_text
 
 EXAMPLES = sorted(Path(str(resources.files("granular") / "data" / "scenes")).glob("*.toml"))
@@ -141,40 +140,6 @@ def test_stress_by_tensor():
 def test_the_ratio_is_kept_exactly():
     # Breaks when principal stresses are formed in floats: kinetic fabric is decided exactly.
     assert Stress(mean=1.0, ratio=0.1).principal == (1, Fraction(0.1))
-
-
-def test_the_classical_form_is_named():
-    # Breaks when the form of the density does not reach the distribution: its median is another size.
-    classical = Gradation(distribution="lognormal", median="5 mm", spread=1.5, form="classical")
-    assert classical.sizes == Lognormal(0.005, 1.5, form="classical")
-    assert classical.sizes.D50 == 0.005
-
-
-def test_another_coordination_line():
-    # Breaks when the scene's own line is read and not used, or loses its source.
-    by_keys = Packing(void_ratio=0.5, coordination_relation=LINE)
-    assert by_keys.relation == CoordinationRelation(**LINE)
-    assert by_keys.coordination == 10.0
-    assert Packing(void_ratio=0.5, coordination_relation=CoordinationRelation(**LINE)) == by_keys
-    assert Packing(void_ratio=0.5).relation is DEFAULT_RELATION
-
-
-def test_spin_is_fixed_by_default():
-    # Breaks when the default of spin moves, or a spin written out as fixed disturbs the static hypothesis.
-    assert Shape(aspect_ratio=0.8).spin == "fixed"
-    Scene.model_validate(changed(shape={"aspect_ratio": 0.8, "spin": "fixed"}, model__hypothesis="static"))
-
-
-def test_a_curve_is_looked_for_in_the_folder_of_its_scene(tmp_path):
-    # Breaks when a scene only runs from its own folder, or a dumped scene loses its curve.
-    (tmp_path / "curve.csv").write_text("size [mm], finer\n1, 0\n2, 1\n", encoding="utf-8")
-    lines = ['[grains]\nshear_modulus = "31 GPa"\npoisson_ratio = 0.21', "[packing]\nvoid_ratio = 0.5744",
-             '[gradation]\ndistribution = "curve"\nfile = "curve.csv"', '[stress]\nmean = "28 kPa"']
-    (tmp_path / "scene.toml").write_text("\n".join(lines), encoding="utf-8")
-    scene = Scene.from_toml(tmp_path / "scene.toml")
-    assert scene.gradation.sizes == MeasuredCurve(["1 mm", "2 mm"], [0, 1])
-    assert Scene.model_validate(scene.model_dump()) == scene
-    assert pickle.loads(pickle.dumps(scene)) == scene
 
 
 INTERVALS = [
@@ -404,7 +369,7 @@ def test_the_schema_refuses_what_structure_alone_shows():
     beyond = {"FabricOutOfRange", "UnitOfOtherDimension", "SymmetryNotBuilt", "NotFinite"}
     unseen = {"not symmetric", "not traceless", "only tension", "more tension than compression", "no stress",
               "no contacts by default", "no contacts by the line", "bare degrees", "curve with an empty file",
-              "no such curve", "keys that are no text", "text in a tensor", "control characters"}
+              "no such curve", "negative size", "keys that are no text", "text in a tensor", "control characters"}
     validator = jsonschema.Draft202012Validator(Scene.json_schema())
     passed = [name for name, content, kind, _ in WRONG
               if kind not in beyond and name not in unseen and validator.is_valid(content)]
