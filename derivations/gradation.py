@@ -21,6 +21,7 @@ from derivations.branch_lengths import (
 )
 from derivations.contact_law import MODULUS, normal_stiffness
 from derivations.lognormal import classical_moment, lognormal_steps, printed_moment
+from derivations.narrow_gradation import narrow_step
 from derivations.record import Claim, Derivation, Function, Output, Step
 from derivations.symbols import (
     branch_length,
@@ -290,7 +291,7 @@ def gradation() -> Derivation:
                  Output(kinematic_factor, KINEMATIC), Output(static_factor, STATIC),
                  Output(sp.Symbol("stiffness_scale"), stiffness_scale(KINEMATIC), "Pa")),
         steps=(_contact_number_step(), _number_density_step(), *lognormal_steps(), _lognormal_number_step(),
-               *branch_length_steps(), _mean_size_step(), _carrier_step(), _closed_form_step(), _exponent_step(),
-               _one_length_step(), *branch_direction_steps()),
+               *branch_length_steps(), _mean_size_step(), _carrier_step(), _closed_form_step(), narrow_step(),
+               _exponent_step(), _one_length_step(), *branch_direction_steps()),
         functions=(*moment_functions(), parameter_function(), factor_function()),
     )
