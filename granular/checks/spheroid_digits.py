@@ -42,8 +42,8 @@ def by_arc_tangent(aspect_ratio: float, *, D33: float = 0.0, poisson_ratio: floa
 
     Notes
     -----
-    Accuracy: none is promised; near r = 1 the error grows like the second inverse power of \\|r - 1\\| for isotropic normals
-    and like the third for others, which need L_3. Source: the elementary form and its recurrence in
+    Accuracy: none is promised; near r = 1 the error grows like the second inverse power of \\|r - 1\\| for isotropic
+    normals, and like the third for others, which need L_3. Source: the elementary form and its recurrence in
     ``derivations.spheroid_moments``.
 
     Examples
