@@ -246,7 +246,8 @@ def _sizes(result: Evaluation) -> str:
                     else (1 / lengths.inverse_second, "1/<l^-2>"))
     return (f"D10 {sizes.D10 * 1e3:.4g}  D50 {sizes.D50 * 1e3:.4g}  D60 {sizes.D60 * 1e3:.4g} mm, "
             f"C_u {sizes.uniformity:.4g}  C_c {sizes.curvature:.4g}; the sphere of mean volume has the diameter "
-            f"{lengths.equal_volume_diameter * 1e3:.4g} mm, and {what} is {factor:.5g} times its square")
+            f"{lengths.equal_volume_diameter * 1e3:.4g} mm, and {what} is {factor:.5g} times its square (1 for equal "
+            "grains; far from 1 it is not to be trusted, see the book)")
 
 
 def _spin(result: Evaluation) -> str:

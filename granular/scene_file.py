@@ -10,7 +10,7 @@ from typing import Any
 
 from granular.errors import NotToml
 from granular.reading import bytes_of
-from granular.units import shown
+from granular.units import shown_path
 
 MOST_DOTS = 100
 """Most dots in one line that is no comment. Dotted keys cost the parser the square of their length, and the longest
@@ -39,7 +39,7 @@ def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:
     -----
     Source: TOML 1.0.
     """
-    name = shown(os.fspath(path))
+    name = shown_path(os.fspath(path))
     try:
         text = bytes_of(Path(path), name).decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -213,6 +213,31 @@ def shown(value: object) -> str:
     return _cut(" ".join(repr(value).split()))
 
 
+def shown_path(path: str) -> str:
+    """Show a path in a message: on one line, and when it is long without its beginning, for the name is at the end.
+
+    Parameters
+    ----------
+    path : str
+        Any path.
+
+    Returns
+    -------
+    str
+        One line of at most some 60 characters.
+
+    Notes
+    -----
+    Source: the error format of this package.
+
+    Examples
+    --------
+    >>> shown_path("curve.csv"), shown_path("/data/" + 60 * "x" + "/curve.csv")[-14:]
+    ('"curve.csv"', 'xxx/curve.csv"')
+    """
+    return shown(path if len(path) <= _SHOWN else "..." + path[3 - _SHOWN:])
+
+
 def _cut(text: str) -> str:
     return text if len(text) <= _SHOWN else text[:_SHOWN] + "..."
 

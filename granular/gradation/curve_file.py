@@ -10,7 +10,7 @@ from granular.errors import CurveInPercent, CurveMalformed, GranularError, Quant
 from granular.gradation.measured_curve import MeasuredCurve, sound_points
 from granular.gradation.size_distribution import SIZE
 from granular.reading import bytes_of
-from granular.units import LENGTH, finite_number, in_si, shown
+from granular.units import LENGTH, finite_number, in_si, shown, shown_path
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _HEADER_UNIT = re.compile(r"[\[(]\s*([^\])]+?)\s*[\])]")
@@ -56,7 +56,7 @@ def read_curve(path: str | os.PathLike[str]) -> MeasuredCurve:
     ...     read_curve(file.name).sizes
     (0.0005, 0.001, 0.002)
     """
-    name = shown(os.fspath(path))
+    name = shown_path(os.fspath(path))
     content = bytes_of(Path(path), name, kind="a gradation curve")
     try:
         text = content.decode("utf-8-sig")
