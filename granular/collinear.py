@@ -111,7 +111,7 @@ def collinear_ratios(assumption: str, aspect_ratio: float, *, D33: float = 0.0, 
     Examples
     --------
     >>> [round(ratio, 4) for ratio in collinear_ratios("weight", 0.9)]
-    [1.0888, 0.9594]
+    [1.0895, 0.9593]
     """
     if assumption not in ASSUMPTIONS:
         raise UnknownChoice(f"assumption = {assumption!r}", allowed=f"allowed {', '.join(ASSUMPTIONS)}",
