@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from granular.gradation.branch_lengths import branch_lengths
 from granular.gradation.size_distribution import SizeDistribution
@@ -61,6 +62,14 @@ def length_moments(sizes: SizeDistribution) -> LengthMoments:
     >>> [round(4.0 * length_moments(Lognormal("5 mm", spread)).second, 3) for spread in (1.2, 1.5, 2.0)]
     [4.356, 6.551, 33.155]
     """
+    if not isinstance(sizes, SizeDistribution):
+        branch_lengths(sizes)  # which refuses it
+    return _moments(sizes)
+
+
+@lru_cache(maxsize=64)
+def _moments(sizes: SizeDistribution) -> LengthMoments:
+    """Compute once what many scenes of one gradation share."""
     lengths, diameter = branch_lengths(sizes), sizes.equal_volume_diameter
     second, inverse = lengths.moment(2.0), lengths.moment(-2.0)
     return LengthMoments(
