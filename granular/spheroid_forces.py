@@ -1,4 +1,4 @@
-"""Contact forces between aligned spheroids that balance the stress, by way of the stress that they are estimated from."""
+"""Contact forces between aligned spheroids that balance the stress, by way of the stress they are estimated from."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Forces between spheroids that balance the stress: the sum over the contacts, spheres, and the exchange of stresses."""
+"""Forces between spheroids that balance the stress: the sum over the contacts, spheres, and stresses exchanged."""
 
 import numpy as np
 import pytest
