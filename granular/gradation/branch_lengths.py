@@ -107,9 +107,33 @@ def branch_lengths(sizes: SizeDistribution) -> BranchLengths:
     from granular.gradation.curve_branches import CurveBranches
     from granular.gradation.lognormal_branches import LognormalBranches
 
-    if isinstance(sizes, Lognormal):
-        return LognormalBranches(sizes)
-    if isinstance(sizes, MeasuredCurve):
-        return CurveBranches(sizes)
+    known = require_known(sizes)
+    return LognormalBranches(known) if isinstance(known, Lognormal) else CurveBranches(known)
+
+
+def require_known(sizes: SizeDistribution) -> Lognormal | MeasuredCurve:
+    """Refuse what is no size distribution of this package.
+
+    Parameters
+    ----------
+    sizes : SizeDistribution
+        Grain sizes.
+
+    Returns
+    -------
+    Lognormal or MeasuredCurve
+        The same.
+
+    Raises
+    ------
+    WrongType
+        It is neither.
+
+    Notes
+    -----
+    Source: the two that have branch lengths.
+    """
+    if isinstance(sizes, Lognormal | MeasuredCurve):
+        return sizes
     raise WrongType(f"sizes = {shown(sizes)}", allowed="allowed Lognormal or MeasuredCurve",
                     remedy="Build one of them.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
-from granular.gradation.branch_lengths import branch_lengths
+from granular.gradation.branch_lengths import branch_lengths, require_known
 from granular.gradation.size_distribution import SizeDistribution
 
 
@@ -62,9 +62,7 @@ def length_moments(sizes: SizeDistribution) -> LengthMoments:
     >>> [round(4.0 * length_moments(Lognormal("5 mm", spread)).second, 3) for spread in (1.2, 1.5, 2.0)]
     [4.356, 6.551, 33.155]
     """
-    if not isinstance(sizes, SizeDistribution):
-        branch_lengths(sizes)  # which refuses it
-    return _moments(sizes)
+    return _moments(require_known(sizes))
 
 
 @lru_cache(maxsize=64)
