@@ -127,8 +127,8 @@ def test_ratios_of_spheroids(aspect, compression, shear):
         assert f"{ratio.value:.{len(printed.partition('.')[2])}f}" == printed
 
 
-@given(st.floats(-9.2, 9.2), st.sampled_from([-1.0, 0.0, 0.3, 2.0]), st.sampled_from([0.0, 1e-9, 0.21, 0.5]), st.booleans(),
-       st.sampled_from(Hypothesis))
+@given(st.floats(-9.2, 9.2), st.sampled_from([-1.0, 0.0, 0.3, 2.0]), st.sampled_from([0.0, 1e-9, 0.21, 0.5]),
+       st.booleans(), st.sampled_from(Hypothesis))
 @settings(max_examples=60)
 def test_the_axial_rule_serves_every_spheroid(log_aspect, D33, nu, free_spin, hypothesis):
     # Breaks when nodes do not crowd where the branches of flat or long grains change fast.
