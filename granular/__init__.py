@@ -18,10 +18,12 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from granular.array_stiffness import axial_stiffness
+    from granular.branch_stiffness import stiffness_by_direction
     from granular.elasticity import Compliance, Stiffness
     from granular.errors import GranularError
     from granular.evaluation import Evaluation, evaluate
     from granular.fabric import AxialFabric
+    from granular.gradation import Lognormal, MeasuredCurve, length_moments, read_curve
     from granular.hypothesis import Hypothesis
     from granular.planning import Plan, plan
     from granular.scene import Scene
@@ -34,17 +36,23 @@ _HOME = {
     "Evaluation": "granular.evaluation",
     "GranularError": "granular.errors",
     "Hypothesis": "granular.hypothesis",
+    "Lognormal": "granular.gradation",
+    "MeasuredCurve": "granular.gradation",
     "Plan": "granular.planning",
     "Scene": "granular.scene",
     "Stiffness": "granular.elasticity",
     "axial_stiffness": "granular.array_stiffness",
     "evaluate": "granular.evaluation",
+    "length_moments": "granular.gradation",
     "plan": "granular.planning",
+    "read_curve": "granular.gradation",
+    "stiffness_by_direction": "granular.branch_stiffness",
 }
 
 __all__ = [
-    "AxialFabric", "Compliance", "Evaluation", "GranularError", "Hypothesis", "Plan", "Scene", "Stiffness",
-    "axial_stiffness", "evaluate", "plan",
+    "AxialFabric", "Compliance", "Evaluation", "GranularError", "Hypothesis", "Lognormal", "MeasuredCurve", "Plan",
+    "Scene", "Stiffness", "axial_stiffness", "evaluate", "length_moments", "plan", "read_curve",
+    "stiffness_by_direction",
 ]
 
 
