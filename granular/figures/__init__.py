@@ -29,6 +29,18 @@ from granular.figures.book import (
     slip_onset,
     table_ii_waves,
 )
+from granular.figures.book_grains import (
+    branch_surfaces,
+    collinear_anisotropy,
+    collinear_errors,
+    figure_3,
+    figure_4,
+    lengths_by_reading,
+    number_by_cut,
+    number_by_reading,
+    spin_and_shear,
+    touching_spheroids,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -39,6 +51,11 @@ __all__ = [
     "SCENE_FIGURES",
     "SceneFigure",
     "admissible_region",
+    "branch_surfaces",
+    "collinear_anisotropy",
+    "collinear_errors",
+    "figure_3",
+    "figure_4",
     "figure_5",
     "figure_5_interactive",
     "figure_6",
@@ -47,12 +64,17 @@ __all__ = [
     "figure_9",
     "hard_cases",
     "hypotheses",
+    "lengths_by_reading",
     "mohr",
     "mohr_interactive",
+    "number_by_cut",
+    "number_by_reading",
     "rule_convergence",
     "save",
     "slip_onset",
+    "spin_and_shear",
     "table_ii_waves",
+    "touching_spheroids",
 ]
 
 

@@ -42,8 +42,8 @@ def waves_figure(waves: Waves) -> Figure:
     panels = ((pressure, ("P",)), (shear, ("SV", "SH")))
     span = 1.25 * max(_span(speeds, names) for _, names in panels)
     for axes, names in panels:
-        centre = sum(_ends(speeds, names)) / 2
-        axes.set(xlim=(0, 90), ylim=(centre - span / 2, centre + span / 2), ylabel="speed [m/s]")
+        bottom = max(0.0, (sum(_ends(speeds, names)) - span) / 2)  # no speed is negative, however wide the span
+        axes.set(xlim=(0, 90), ylim=(bottom, bottom + span), ylabel="speed [m/s]")
         for name in names:
             axes.plot(angles, speeds[name], color=WAVE_COLOURS[name])
         label_curves(axes, 91.5, [speeds[name][-1] for name in names], list(names),
