@@ -56,7 +56,7 @@ def run_checks(*, json_out: Path | None = None) -> int:
     console.print(_rendered(rows(comparisons)))
     for miss in misses:
         console.print(f"MISS: {miss.group}, {miss.case}, {miss.hypothesis}, {miss.route}: {miss.component} is off by "
-                      f"{miss.error:.3g} units, allowed {miss.allowed:.3g}")
+                      f"{miss.error:.3g} {miss.unit}, allowed {miss.allowed:.3g}")
     if not certified.available():
         console.print("The certified voice is missing, and with it the random fabrics: "
                       "pip install 'granular[certified]'")
@@ -73,7 +73,7 @@ def _plain(comparison: Comparison) -> dict[str, object]:
 def _rendered(content: list[Row]) -> Table:
     from rich.table import Table
 
-    table_ = Table(title="Error/allowed in units in the last place, and the worst component",
+    table_ = Table(title="Error/allowed in units in the last place (sampled: in standard errors)",
                    title_justify="left",
                    box=None, pad_edge=False, padding=(0, 1), collapse_padding=True, header_style="bold")
     for heading in ("case (members)", "route", "kinematic", "static", "verdict"):

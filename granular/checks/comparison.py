@@ -10,6 +10,9 @@ from fractions import Fraction
 from granular.hypothesis import Hypothesis
 from granular.routes.result import COMPONENTS
 
+ULP, STANDARD_ERRORS = "units", "standard errors"
+"""Units in the last place, and the unit of what was sampled."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Comparison:
@@ -28,9 +31,11 @@ class Comparison:
     component : str
         The component that is worst, or about which the identity is.
     error : float
-        How far off it is in units in the last place [ulp].
+        How far off it is [in ``unit``].
     allowed : float
-        Largest error that counts as agreement [ulp].
+        Largest error that counts as agreement [in ``unit``].
+    unit : str
+        Units in the last place of the known value, or standard errors of a sample.
     """
 
     group: str
@@ -40,6 +45,7 @@ class Comparison:
     component: str
     error: float
     allowed: float
+    unit: str = ULP
 
     @property
     def agrees(self) -> bool:
