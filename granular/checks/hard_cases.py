@@ -57,7 +57,7 @@ class HardCase:
     why : str
         What makes it hard.
     fabric : AxialFabric
-        Contact normals and branch lengths [-].
+        Contact normals, and branch lengths or shape [-].
     loading : Loading or None
         Stress and friction; None for contacts that all have the same stiffness.
     poisson_ratio : float
@@ -248,7 +248,8 @@ def _case(entry: dict[str, Any]) -> HardCase:
     scale = entry.get("scale")
     return HardCase(
         name=entry["name"], family=entry["family"], why=entry["why"],
-        fabric=AxialFabric(D33=float(entry["D33"]), D3333=float(entry["D3333"]), Dr33=float(entry["Dr33"])),
+        fabric=AxialFabric(D33=float(entry["D33"]), D3333=float(entry["D3333"]), Dr33=float(entry["Dr33"]),
+                           aspect_ratio=float(entry.get("aspect_ratio", 1)), free_spin=entry.get("spin") == "relaxed"),
         loading=loading, poisson_ratio=float(entry["poisson_ratio"]), hypothesis=Hypothesis(entry["hypothesis"]),
         scale=None if scale is None else Scale(**{key: float(value) for key, value in scale.items()}),
         component=entry["component"], certified=Fraction(entry["certified"]), naive=entry["naive"],

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from granular.checks import naive_spheroids
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.loading import Loading
@@ -185,6 +186,8 @@ NAIVE: dict[str, Naive] = {
     "powers of x multiplied out": powers_of_x,
     "recurrence upwards": forward_recurrence,
     "recurrence downwards": backward_recurrence,
+    "arc tangent and recurrence": naive_spheroids.arc_tangent,
+    "24 Gauss nodes in x": naive_spheroids.gauss_24,
 }
 """Each naive way by what is naive about it."""
 
