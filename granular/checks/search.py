@@ -1,4 +1,4 @@
-"""The search for the worst input: random contact forces against ball arithmetic, by one scene and by arrays."""
+"""The search for the worst input: random contact forces and spheroids against ball arithmetic, singly and by arrays."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from granular.checks.comparison import worst_relative
 from granular.checks.loads import LoadedCase, loaded_sample
+from granular.checks.spheroid_cases import SpheroidCase, spheroid_sample
 from granular.checks.voices import MOST_ERROR
 from granular.hypothesis import Hypothesis
 from granular.output import write_text
@@ -21,6 +22,8 @@ from granular.routes import axial, certified
 
 if TYPE_CHECKING:
     from rich.table import Table
+
+Case = LoadedCase | SpheroidCase
 
 ARRAY = "axial_stiffness"
 """Name under which the function for arrays is shown."""
@@ -46,7 +49,7 @@ class Finding:
     ----------
     number : int
         Which input of the sample, from 1.
-    case : LoadedCase
+    case : LoadedCase or SpheroidCase
         The input.
     hypothesis : Hypothesis
         Kinematic or static.
@@ -59,7 +62,7 @@ class Finding:
     """
 
     number: int
-    case: LoadedCase
+    case: Case
     hypothesis: Hypothesis
     route: str
     component: str
@@ -116,7 +119,7 @@ def findings(count: int, *, seed: int, finished: Callable[[int], None] | None = 
     Parameters
     ----------
     count : int
-        How many random inputs [-].
+        How many random inputs with contact forces, and how many spheroids [-].
     seed : int
         Start of the random numbers.
     finished : callable or None
@@ -126,7 +129,8 @@ def findings(count: int, *, seed: int, finished: Callable[[int], None] | None = 
     -------
     iterator of Finding
         One for each input and route under the kinematic hypothesis, and under the static one where every contact
-        sticks. The function for arrays takes densities of rank two and stress ratios above 0.
+        sticks and no grain spins. The function for arrays takes densities of rank two, stress ratios above 0, and no
+        spheroids.
 
     Raises
     ------
@@ -143,27 +147,37 @@ def findings(count: int, *, seed: int, finished: Callable[[int], None] | None = 
     True
     """
     sample = enumerate(loaded_sample(count, seed=seed), start=1)
+    shapes = spheroid_sample(count, seed=seed)
     while block := list(islice(sample, BLOCK)):
         arrays = {hypothesis: _by_arrays(block, hypothesis) for hypothesis in Hypothesis}
-        for number, case in block:
+        for (number, case), spheroid in zip(block, shapes, strict=False):
             for hypothesis in _finite(case):
-                known = [enclosure.midpoint for enclosure in certified.enclose(
-                    case.fabric, poisson_ratio=case.poisson_ratio, hypothesis=hypothesis, loading=case.loading,
-                    digits=DIGITS)]
-                one = axial.evaluate(case.fabric, poisson_ratio=case.poisson_ratio, hypothesis=hypothesis,
-                                     loading=case.loading)
-                yield _finding(number, case, hypothesis, axial.NAME, list(one.components), known)
+                known = _known(case, hypothesis)
+                yield _alone(number, case, hypothesis, known)
                 if number in arrays[hypothesis]:
                     yield _finding(number, case, hypothesis, ARRAY, arrays[hypothesis][number], known)
+            for hypothesis in _finite(spheroid):
+                yield _alone(number, spheroid, hypothesis, _known(spheroid, hypothesis))
             if finished is not None:
                 finished(number)
 
 
-def _finite(case: LoadedCase) -> tuple[Hypothesis, ...]:
-    return tuple(Hypothesis) if case.kind == "stick" else (Hypothesis.KINEMATIC,)
+def _finite(case: Case) -> tuple[Hypothesis, ...]:
+    return tuple(Hypothesis) if case.kind in ("stick", "spheroid") else (Hypothesis.KINEMATIC,)
 
 
-def _finding(number: int, case: LoadedCase, hypothesis: Hypothesis, route: str, computed: list[float],
+def _known(case: Case, hypothesis: Hypothesis) -> list[Fraction]:
+    return [enclosure.midpoint for enclosure in certified.enclose(
+        case.fabric, poisson_ratio=case.poisson_ratio, hypothesis=hypothesis, loading=case.loading, digits=DIGITS)]
+
+
+def _alone(number: int, case: Case, hypothesis: Hypothesis, known: list[Fraction]) -> Finding:
+    """Evaluate one scene at a time."""
+    one = axial.evaluate(case.fabric, poisson_ratio=case.poisson_ratio, hypothesis=hypothesis, loading=case.loading)
+    return _finding(number, case, hypothesis, axial.NAME, list(one.components), known)
+
+
+def _finding(number: int, case: Case, hypothesis: Hypothesis, route: str, computed: list[float],
              known: list[Fraction]) -> Finding:
     component, error, _ = worst_relative(computed, known)
     return Finding(number=number, case=case, hypothesis=hypothesis, route=route, component=component, error=error)
@@ -195,7 +209,7 @@ def run_search(count: int, *, seed: int, json_out: Path | None = None) -> int:
     Parameters
     ----------
     count : int
-        How many random inputs [-].
+        How many random inputs with contact forces, and how many spheroids [-].
     seed : int
         Start of the random numbers.
     json_out : Path or None
@@ -215,7 +229,8 @@ def run_search(count: int, *, seed: int, json_out: Path | None = None) -> int:
 
     Notes
     -----
-    Accuracy: relative errors, component by component, against enclosures to 20 digits. Source: eqs (7) and (20)-(23).
+    Accuracy: relative errors, component by component, against enclosures to 20 digits. Source: eqs (6), (7),
+    (20)-(23).
     """
     from rich.console import Console
     from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
@@ -231,9 +246,9 @@ def run_search(count: int, *, seed: int, json_out: Path | None = None) -> int:
     console = Console(highlight=False, markup=False, emoji=False)
     console.print(_overview(summary))
     console.print(_worst(summary))
-    console.print(f"{count} inputs from seed {seed}, {summary.comparisons} comparisons, {summary.misses} beyond "
-                  f"{MOST_ERROR[Hypothesis.KINEMATIC]:g} (kinematic) or {MOST_ERROR[Hypothesis.STATIC]:g} (static)",
-                  soft_wrap=True)
+    console.print(f"{count} inputs from seed {seed} and as many spheroids, {summary.comparisons} comparisons, "
+                  f"{summary.misses} beyond {MOST_ERROR[Hypothesis.KINEMATIC]:g} (kinematic) or "
+                  f"{MOST_ERROR[Hypothesis.STATIC]:g} (static)", soft_wrap=True)
     return FOUND_SOME if summary.misses else FOUND_NONE
 
 

@@ -67,7 +67,11 @@ def test_both_routes_agree_with_the_enclosures() -> None:
     assert [finding for finding in found if not finding.agrees] == []
     assert {(finding.route, finding.hypothesis) for finding in found} == {
         (route, hypothesis) for route in ("axial", "axial_stiffness") for hypothesis in Hypothesis}
-    assert sum(finding.route == "axial" for finding in found) > 90
+    assert sum(finding.route == "axial" for finding in found) > 200
+    spheroids = [finding for finding in found if finding.case.kind in ("spheroid", "spin")]
+    assert len({finding.number for finding in spheroids}) == 80
+    assert {(finding.case.kind, finding.hypothesis) for finding in spheroids} == {
+        ("spheroid", Hypothesis.KINEMATIC), ("spheroid", Hypothesis.STATIC), ("spin", Hypothesis.KINEMATIC)}
 
 
 def off(monkeypatch: pytest.MonkeyPatch, factor: float) -> None:
@@ -102,7 +106,7 @@ def test_the_command(capsys: pytest.CaptureFixture[str]) -> None:
     """The options do not reach the search, or progress is mixed into the result."""
     assert run_command(["check", "--random", "3", "--seed", "8"]) == 0
     shown = capsys.readouterr()
-    assert "3 inputs from seed 8" in shown.out
+    assert "3 inputs from seed 8 and as many spheroids" in shown.out
     assert "Searching" in shown.err and "Searching" not in shown.out
 
 
