@@ -270,40 +270,6 @@ def deviation_angle(aspect_ratio: float, cosine: ArrayLike) -> NDArray[np.float6
     return angle
 
 
-def branch_length(aspect_ratio: float, cosine: ArrayLike) -> NDArray[np.float64]:
-    """Length of the branch between aligned spheroids, by the direction of the contact normal.
-
-    Parameters
-    ----------
-    aspect_ratio : float
-        b/a with b along axis 3 [-], > 0.
-    cosine : float or (...) array
-        Cosine of the angle between the normal and axis 3 [-], -1 to 1.
-
-    Returns
-    -------
-    (...) array
-        \\|l\\|/(2 r_e) [-].
-
-    Notes
-    -----
-    Accuracy: a few units in the last place. Source: :func:`granular.spheroid.branch_vectors`.
-
-    Examples
-    --------
-    >>> branch_length(8.0, [0.0, 1.0]).tolist()
-    [0.5, 4.0]
-    """
-    import numpy as np
-
-    from granular.spheroid import branch_vectors
-
-    x = np.asarray(cosine, dtype=float)
-    branch = branch_vectors(aspect_ratio, np.stack([np.sqrt((1 - x) * (1 + x)), np.zeros_like(x), x]))
-    length: NDArray[np.float64] = np.sqrt(np.sum(branch * branch, axis=0))
-    return length
-
-
 def _ratios(components: Six) -> Ratios:
     C1111, C3333, _, _, C2323, C1212 = components
     return Ratios(C1111 / C3333, C2323 / C1212)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from granular.directions import branch_weight
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
@@ -153,9 +155,9 @@ def shear_stiffness(fabric: AxialFabric, loading: Loading, cosine: ArrayLike, *,
 
 
 def _direction(fabric: AxialFabric, cosine: ArrayLike) -> tuple[Array, Array, Array]:
-    """x^2, 1 - x^2 and the branch-length weight W."""
+    """x^2, 1 - x^2 and the branch length W."""
     import numpy as np
 
     x = np.asarray(cosine, dtype=np.float64)
     x2, s = x * x, (1 - x) * (1 + x)
-    return x2, s, (1 - fabric.Dr33 / 2) * s + (1 + fabric.Dr33) * x2
+    return x2, s, branch_weight(fabric, x)

@@ -54,19 +54,19 @@ def branch_weight(fabric: AxialFabric, cosine: ArrayLike) -> NDArray[np.float64]
     Parameters
     ----------
     fabric : AxialFabric
-        Branch lengths about axis 3.
+        Branches about axis 3.
     cosine : float or (...) array
         Cosine of the angle from axis 3 [-], -1 to 1.
 
     Returns
     -------
     (...) array
-        W(n) [-]; 1 in every direction when branches are equally long.
+        W(n), or \\|l\\|/(2 r_e) between spheroids [-]; 1 in every direction when branches are equally long.
 
     Notes
     -----
     Accuracy: a few units in the last place.
-    Source: the weighting function of Figure 5, as a form in sin^2 and cos^2.
+    Source: the weighting function of Figure 5, as a form in sin^2 and cos^2; the branch vector of spheroids.
 
     Examples
     --------
@@ -76,8 +76,12 @@ def branch_weight(fabric: AxialFabric, cosine: ArrayLike) -> NDArray[np.float64]
     """
     import numpy as np
 
-    along = np.asarray(cosine, dtype=float) ** 2
-    weight: NDArray[np.float64] = (1 - fabric.Dr33 / 2) * (1 - along) + (1 + fabric.Dr33) * along
+    if fabric.aspect_ratio != 1.0:
+        from granular.spheroid import branch_length
+
+        return branch_length(fabric.aspect_ratio, cosine)
+    x = np.asarray(cosine, dtype=float)
+    weight: NDArray[np.float64] = (1 - fabric.Dr33 / 2) * ((1 - x) * (1 + x)) + (1 + fabric.Dr33) * (x * x)
     return weight
 
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from granular.collinear import branch_length
 from granular.contact_distribution import normal_force, normal_stiffness, shear_force, shear_stiffness
 
 if TYPE_CHECKING:
@@ -148,43 +147,12 @@ def by_direction(fabric: AxialFabric, loading: Loading, *, poisson_ratio: float,
     found = limits(fabric.D33, loading)
     degrees = angles(found) if degrees is None else degrees
     cosine = np.sin(np.radians(90.0 - degrees))
-    normal = normal_force(fabric, loading, cosine) / spheroid_length(fabric, cosine)
+    normal = normal_force(fabric, loading, cosine)
     return ByDirection(
-        degrees=degrees, normal=normal, shear=shear_force(fabric, loading, cosine) / spheroid_length(fabric, cosine),
+        degrees=degrees, normal=normal, shear=shear_force(fabric, loading, cosine),
         limit=None if loading.friction is None else loading.friction * np.maximum(normal, 0.0),
         k_normal=normal_stiffness(fabric, loading, cosine),
         k_shear=shear_stiffness(fabric, loading, cosine, poisson_ratio=poisson_ratio), limits=found)
-
-
-def spheroid_length(fabric: AxialFabric, cosine: Array) -> Array:
-    """Length of the branches of spheroids, through which the forces of the contacts fall.
-
-    Parameters
-    ----------
-    fabric : AxialFabric
-        Contact normals and branches about axis 3.
-    cosine : (n,) array
-        Cosine of the angle between the normal and axis 3 [-].
-
-    Returns
-    -------
-    (n,) array
-        \\|l\\|/(2 r_e) [-]; 1 for branches along the normals, whose own weight the forces hold already.
-
-    Notes
-    -----
-    Source: eq. (23) with the length of :func:`granular.spheroid.branch_vectors`.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from granular.fabric import AxialFabric
-    >>> spheroid_length(AxialFabric(aspect_ratio=8.0), np.array([0.0, 1.0])).tolist()
-    [0.5, 4.0]
-    """
-    import numpy as np
-
-    return np.ones_like(cosine) if fabric.aspect_ratio == 1.0 else branch_length(fabric.aspect_ratio, cosine)
 
 
 def angles(found: Limits) -> Array:

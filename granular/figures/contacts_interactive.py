@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from granular.contact_distribution import normal_force, normal_stiffness, shear_stiffness
 from granular.contact_law import stiffness_ratio
-from granular.figures.by_direction import by_direction, spheroid_length
+from granular.figures.by_direction import by_direction
 from granular.figures.cones import plotly_band
 from granular.figures.look import BLUE, INK, ORANGE, SKY, SOFT_INK, VERMILION, plotly_layout, readable
 from granular.figures.surfaces import TO_TURN, plotly_axes, plotly_space, surface
@@ -59,7 +59,7 @@ def forces_interactive(fabric: AxialFabric, loading: Loading, *, poisson_ratio: 
     figure = _two_panels(contacts, curves, "force over that of the isotropic assembly [–]", constants=())
     _add_surfaces(figure, contacts.limits, [
         ("normal force", "f<sub>n</sub>", lambda cosine: np.maximum(
-            normal_force(fabric, loading, cosine) / spheroid_length(fabric, cosine), 0.0), SKY)])
+            normal_force(fabric, loading, cosine), 0.0), SKY)])
     return figure
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from granular.collinear import branch_length
 from granular.directions import branch_weight, relative_density
 from granular.figures.look import BLUE, SOFT_INK, VERMILION, blank, house_style, plotly_layout, readable
 from granular.figures.surfaces import (
@@ -108,7 +107,6 @@ def _radii(fabric: AxialFabric) -> tuple[Radius, Radius, float]:
     import numpy as np
 
     density = partial(relative_density, fabric)
-    weight = (partial(branch_weight, fabric) if fabric.aspect_ratio == 1.0
-              else partial(branch_length, fabric.aspect_ratio))
+    weight = partial(branch_weight, fabric)
     cosines = np.linspace(0.0, 1.0, 201)
     return density, weight, float(max(density(cosines).max(), weight(cosines).max()))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from granular.collinear import branch_length, deviation_angle, shape_of_weight
+from granular.collinear import deviation_angle, shape_of_weight
 from granular.directions import branch_weight
 from granular.fabric import AxialFabric
 from granular.figures.look import MAP, blank, house_style
@@ -49,7 +49,8 @@ def branch_surfaces() -> Figure:
     width = 1 / len(BRANCHES)
     for place, Dr33 in enumerate(BRANCHES):
         shape = shape_of_weight(Dr33)
-        weight, true = partial(branch_weight, AxialFabric(Dr33=Dr33)), partial(branch_length, shape)
+        weight, true = (partial(branch_weight, fabric)
+                        for fabric in (AxialFabric(Dr33=Dr33), AxialFabric(aspect_ratio=shape)))
         for row, (radius, angle, title) in enumerate((
                 (weight, 0.0 * middle, f"$D^{{r}}_{{33}} = {Dr33:g}$"),
                 (true, deviation_angle(shape, middle), f"$b/a = {shape:.3g}$"))):

@@ -37,7 +37,7 @@ class Lognormal(SizeDistribution):
     --------
     >>> sand = Lognormal("5 mm", 1.5, form="classical")
     >>> round(sand.D50, 12), round(sand.uniformity, 3), round(Lognormal("5 mm", 1.5).D50, 6)
-    (0.005, 1.863, 0.005894)
+    (0.005, 1.863, 0.005893)
     """
 
     median: float

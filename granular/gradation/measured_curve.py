@@ -50,7 +50,7 @@ class MeasuredCurve(SizeDistribution):
     --------
     >>> curve = MeasuredCurve(["0.5 mm", "1 mm", "2 mm"], [0.0, 0.4, 1.0])
     >>> curve.fraction_finer(0.001), round(curve.D50, 6)
-    (0.4, 0.001124)
+    (0.4, 0.001147)
     """
 
     sizes: tuple[float, ...]
