@@ -11,7 +11,7 @@ PAGE_OF = {"fabric": "fabric", "equations": "kinematic", "kinematic_constant": "
            "kinematic_three": "kinematic", "static_three": "static", "isotropic": "kinematic",
            "engineering": "engineering", "waves": "waves", "contact_forces": "forces", "mohr_circle": "sliding",
            "kinetic_components": "kinetic", "kinetic": "kinetic", "kinetic_limits": "kinetic_limits",
-           "partial_slip": "partial_slip"}
+           "partial_slip": "partial_slip", "gradation": "gradation", "spheroid": "shape"}
 """The page that shows each derivation with its steps."""
 
 

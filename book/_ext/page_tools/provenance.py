@@ -18,6 +18,11 @@ DATA_FILES = {
     "_data/table_v.csv": "printed ratios of Table V",
     "_data/isotropic_28kpa.csv": "printed stiffness of the isotropic assemblies",
     "_data/table_ii_case_3.toml": "scene of Table II, case 3",
+    "_data/spheroids.toml": "scene of aligned spheroids",
+    "_data/table_i.csv": "printed sizes and spreads of Table I",
+    "_data/sand.csv": "sieve curve made up for the page on grain sizes",
+    "_data/sand.toml": "scene with that curve",
+    "_data/length_times.json": "measured times of branch lengths",
     "_data/cost.json": "measured times and errors of every route",
 }
 

@@ -13,6 +13,8 @@ from page_tools.markup import Markup
 _DEFINITION = re.compile(r"([^=<>,]{1,40}?)=(?!\s*0:)")
 _WIDE_GAP, _ANY_GAP = re.compile(r"(?<=[,;:])\s*\\qquad"), re.compile(r"(?<=[,;:])\s*\\qquad|(?<=,)\s*\\quad")
 """What stands between formulas side by side."""
+_RELATION = re.compile(r"=|\\(?:sim|le|ge|to|propto)(?![a-zA-Z])")
+"""What makes a formula out of what stands between two gaps."""
 LONGEST_ALIGNED = 66
 """Formulas up to this many visible signs are set below one another; longer ones stand alone and can be broken."""
 
@@ -79,9 +81,9 @@ def parts(formula: str) -> list[str]:
     """Take apart what stands side by side where it is too wide for a line."""
     for gap in (_ANY_GAP, _WIDE_GAP):
         found = [part.strip() for part in gap.split(formula)]
-        if all("=" in part or part.endswith(":") for part in found):
+        sound = all(_RELATION.search(part) or part.endswith(":") for part in found)
+        if sound:
             break
-    sound = all("=" in part or part.endswith(":") for part in found)
     return found if sound and _width(formula) > WIDEST_ROW else [formula]
 
 
