@@ -103,7 +103,7 @@ def test_a_command_is_shown_as_in_a_shell(monkeypatch: pytest.MonkeyPatch) -> No
     """Breaks when an answer runs over the page, brings the signs of colours, or a failure is shown as an answer."""
     monkeypatch.setenv("FORCE_COLOR", "1")
     text = answer("run", "_data/spheroids.toml").text
-    assert text.startswith("```text\n$ granular run spheroids.toml\nStiffness by the kinematic hypothesis")
+    assert text.startswith("```console\n$ granular run spheroids.toml\nStiffness by the kinematic hypothesis")
     assert max(map(len, text.splitlines())) <= WIDTH
     assert "\x1b" not in text
     with pytest.raises(Exception, match="returned non-zero exit status 2"):

@@ -37,4 +37,4 @@ def answer(command: str, file: str, *options: str) -> Markup:
     done = subprocess.run([sys.executable, "-m", "granular", command, file, *options], check=True, capture_output=True,
                           encoding="utf-8", env={**shell, "COLUMNS": str(WIDTH), "PYTHONUTF8": "1"})
     line = " ".join(["granular", command, Path(file).name, *options])
-    return Markup(f"```text\n$ {line}\n{done.stdout}```\n")
+    return Markup(f"```console\n$ {line}\n{done.stdout}```\n")
