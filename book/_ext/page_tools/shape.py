@@ -10,10 +10,9 @@ import numpy as np
 
 from granular import AxialFabric, Evaluation, Hypothesis, Scene, Stiffness, evaluate
 from granular.checks.spheroid_digits import by_arc_tangent, worst_error
-from granular.collinear import shape_of_weight
+from granular.collinear import deviation_angle, shape_of_weight
 from granular.routes import axial, closed_form
 from granular.routes.result import Six
-from granular.spheroid import deviation_angle
 from page_tools.markup import Markup, table
 
 SCENE = Path("_data/spheroids.toml")
