@@ -158,7 +158,10 @@ def test_the_stored_spheroids_reach_what_they_should() -> None:
             assert (Hypothesis.STATIC in case.known) == (sticks and not case.fabric.free_spin), case.name
 
 
-@pytest.mark.parametrize("case", [case for case in spheroid_cases() if case.loading is None], ids=lambda case: case.name)
+EQUAL = [case for case in spheroid_cases() if case.loading is None]
+
+
+@pytest.mark.parametrize("case", EQUAL, ids=lambda case: case.name)
 def test_the_stored_spheroids_are_found_again(case: CertifiedCase) -> None:
     """A stored value of contacts of equal stiffness is not where ball arithmetic proves it to be."""
     for hypothesis, known in case.known.items():
