@@ -75,7 +75,7 @@ def test_exact_identities(shape: float, d33: float, nu: float) -> None:
 
 
 @patient
-@given(shapes, st.floats(-1, 2), st.floats(0, 0.5), st.floats(0.2, 5))
+@given(shapes, st.floats(-1, 2), st.just(0.0) | st.floats(1e-12, 0.5), st.floats(0.2, 5))
 def test_free_spin_never_stiffens(shape: float, d33: float, nu: float, ratio: float) -> None:
     """Grains that are free to spin resist shear more than those that are not, or anything but C2323 changes."""
     fabric = AxialFabric(D33=d33, aspect_ratio=shape)
