@@ -82,6 +82,15 @@ def on_a_full_disk(attempt: Callable[[], object]) -> Callable[[], object]:
     return tried
 
 
+def branches_twice_as_long() -> object:
+    """Give a deviation tensor that doubles lengths, which it must not."""
+    import numpy as np
+
+    from granular.branch_products import deviating
+
+    return deviating(4 * np.einsum("pi,qk->pqik", np.eye(3), np.eye(3)))(np.eye(3))
+
+
 def curve_with(*rows: str) -> Callable[[], object]:
     """Prepare the reading of a gradation curve of some rows; its name is the same on every machine."""
     def tried() -> object:
