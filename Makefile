@@ -35,7 +35,7 @@ html:
 	@rm -rf book/_build/html book/_build/.doctrees
 	@$(BIN)/jupyter-book build book -n -W --keep-going -q
 	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
-	@echo "The book is built. Open file://$(CURDIR)/book/_build/html/index.html"
+	@echo "The book is built. Open book/_build/html/index.html in a browser"
 
 lint: $(READY) ## style and strict types
 	@$(BIN)/ruff check .

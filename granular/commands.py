@@ -92,8 +92,8 @@ def plot(
 def check(
     out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write all comparisons as JSON.")] = None,
     random: Annotated[int | None, typer.Option(
-        "--random", metavar="N", min=1, help="Instead, search N random inputs with contact forces for the worst "
-                                             "error against ball arithmetic.")] = None,
+        "--random", metavar="N", min=1, help="Instead, search N random inputs with contact forces, and as many "
+                                             "spheroids, for the worst error against ball arithmetic.")] = None,
     seed: Annotated[int, typer.Option("--seed", metavar="S", help="Start of the random inputs.")] = 1999,
 ) -> None:
     """Numerics against symbolic limits, quadrature and certified values; exit code 1 on any miss."""

@@ -11,7 +11,7 @@ import statistics
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -156,8 +156,7 @@ def measure_times(curve: Path, *, rounds: int = 51) -> dict[str, Any]:
             observed.append(time.perf_counter() - start)
         return statistics.median(observed)
 
-    seconds = {f"lognormal, s_r = {spread:g}": both(lambda spread=spread: Lognormal(1.0, spread))  # type: ignore[misc]
-               for spread in SPREADS}
+    seconds = {f"lognormal, s_r = {spread:g}": both(partial(Lognormal, 1.0, spread)) for spread in SPREADS}
     seconds[f"curve of {len(read_curve(curve).sizes)} points"] = both(lambda: read_curve(curve))
     return {"machine": machine(), "rounds": rounds, "seconds": seconds}
 

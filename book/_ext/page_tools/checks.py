@@ -45,7 +45,7 @@ def check_table(hypothesis: Hypothesis) -> markup.Markup:
     routes = [voice.NAME for voice in voices()]
     groups: dict[tuple[str, int], dict[str, str]] = {}
     for row in rows(comparisons):
-        if hypothesis in row.worst:
+        if hypothesis in row.worst and row.route in routes:
             groups.setdefault((row.group, row.cases), {})[row.route] = _cell(row.worst[hypothesis])
     lines = [[f"{markup.plain(group)} ({members})", *(found.get(route, "–") for route in routes)]
              for (group, members), found in groups.items()]
@@ -54,6 +54,20 @@ def check_table(hypothesis: Hypothesis) -> markup.Markup:
         align="l" + "r" * len(routes), take_away=f"checks_{hypothesis}.csv",
         caption=f"Worst error of six components in units of the last place, {hypothesis} hypothesis. In brackets the "
                 "number of cases; – where a route does not serve them.")
+
+
+def sizes_and_samples() -> markup.Markup:
+    """Show what is no route: the moments of branch lengths, and contacts drawn at random for eq. (1)."""
+    routes = {voice.NAME for voice in voices()}
+    lines = [[markup.plain(f"{row.group} ({row.cases})"), str(hypothesis),
+              f"{worst.error:.2f}", f"{worst.allowed:.3g}", f"{worst.unit}", markup.plain(worst.case)]
+             for row in rows(compared()) if row.route not in routes for hypothesis, worst in row.worst.items()]
+    return markup.table(
+        ["cases", "hypothesis", "worst error", "allowed", "in", "where"], lines, label="tab-checks-samples",
+        align="llrrll", take_away="checks_samples.csv",
+        caption="Moments of the branch lengths of graded grains against certified ones, in units of the last place "
+                "(what the library states is allowed), and the stiffness of evaluated scenes against eq. (1) summed "
+                "over a million contacts drawn at random, in standard errors.")
 
 
 def summary() -> markup.Markup:
