@@ -6,7 +6,8 @@ Give a smaller D33.`` The catalogue at the end names every class once; the book 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import ClassVar
 
 
@@ -41,6 +42,38 @@ class GranularError(ValueError):
 
 def _rebuilt(kind: type[GranularError], found: str, allowed: str, remedy: str, more: int) -> GranularError:
     return kind(found, allowed=allowed, remedy=remedy, more=more)
+
+
+@contextmanager
+def found_at(place: str) -> Iterator[None]:
+    """Say where something was found that is refused; what is allowed and the remedy stay as they are.
+
+    Parameters
+    ----------
+    place : str
+        Put before what was found, with its separator, e.g. ``"line 3: "``.
+
+    Raises
+    ------
+    GranularError
+        In place of each one raised inside, with the place.
+
+    Notes
+    -----
+    Source: the error format of this package.
+
+    Examples
+    --------
+    >>> with found_at("line 3: "):
+    ...     raise FileTooLarge("size = 0", allowed="allowed size > 0", remedy="Give one.")
+    Traceback (most recent call last):
+    granular.errors.FileTooLarge: FileTooLarge [G-INP-03]: line 3: size = 0, allowed size > 0. Give one.
+    """
+    try:
+        yield
+    except GranularError as refusal:
+        raise type(refusal)(f"{place}{refusal.found}", allowed=refusal.allowed, remedy=refusal.remedy,
+                            more=refusal.more) from None
 
 
 class FileUnreadable(GranularError):

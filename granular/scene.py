@@ -10,7 +10,7 @@ from typing import Annotated, Any, Self
 from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from granular.anisotropy import BranchAnisotropy, ContactNormals
-from granular.errors import ConflictingKeys, GranularError, MissingKey, ValueOutOfRange
+from granular.errors import ConflictingKeys, MissingKey, ValueOutOfRange, found_at
 from granular.fabric import FLATTEST, AxialFabric
 from granular.fields import Number, Text, Word, WordsOrAuto
 from granular.gradation import SIZE, SPREAD, Lognormal, SizeDistribution, read_curve
@@ -172,10 +172,8 @@ class Gradation(Table):
 
 def _curve_from(file: str) -> SizeDistribution:
     """Read the curve; what is wrong with it is told under the key that names the file."""
-    try:
+    with found_at("file = "):
         return read_curve(file)
-    except GranularError as refusal:
-        raise type(refusal)(f"file = {refusal.found}", allowed=refusal.allowed, remedy=refusal.remedy) from None
 
 
 class Shape(Table):

@@ -6,7 +6,7 @@ import os
 import re
 from pathlib import Path
 
-from granular.errors import CurveInPercent, CurveMalformed, GranularError, QuantityUnreadable, WrongType
+from granular.errors import CurveInPercent, CurveMalformed, QuantityUnreadable, WrongType, found_at
 from granular.gradation.measured_curve import MeasuredCurve, sound_points
 from granular.gradation.size_distribution import SIZE
 from granular.reading import bytes_of
@@ -70,12 +70,11 @@ def read_curve(path: str | os.PathLike[str]) -> MeasuredCurve:
     points, places = [], []
     for number, (size, fraction) in rows:
         where = f"line {number}"
-        points.append((_size(size, unit, f"{name}, {where}: size"), _fraction(fraction, f"{name}, {where}: fraction")))
+        with found_at(f"{name}, {where}: "):
+            points.append((_size(size, unit), _fraction(fraction)))
         places.append(where)
-    try:
+    with found_at(f"{name}: "):
         points = sound_points(points, places)
-    except GranularError as refusal:
-        raise type(refusal)(f"{name}: {refusal.found}", allowed=refusal.allowed, remedy=refusal.remedy) from None
     return MeasuredCurve([size for size, _ in points], [fraction for _, fraction in points])
 
 
@@ -107,21 +106,21 @@ def _is_number(cell: str) -> bool:
     return _NUMBER.fullmatch(cell) is not None
 
 
-def _size(cell: str, unit: str | None, name: str) -> float:
+def _size(cell: str, unit: str | None) -> float:
     if _is_number(cell):
-        return SIZE.read(f"{cell} {unit or 'm'}", name)
+        return SIZE.read(f"{cell} {unit or 'm'}", "size")
     try:
-        return SIZE.read(cell, name)
+        return SIZE.read(cell, "size")
     except (QuantityUnreadable, WrongType):
-        raise CurveMalformed(f"{name} is {shown(cell)}", allowed="allowed a number, or a number with a unit of length",
+        raise CurveMalformed(f"size is {shown(cell)}", allowed="allowed a number, or a number with a unit of length",
                              remedy="Correct that cell.") from None
 
 
-def _fraction(cell: str, name: str) -> float:
+def _fraction(cell: str) -> float:
     if cell.endswith("%") and _is_number(cell[:-1].strip()):
-        raise CurveInPercent(f"{name} is {shown(cell)}", allowed="allowed fractions from 0 to 1",
+        raise CurveInPercent(f"fraction is {shown(cell)}", allowed="allowed fractions from 0 to 1",
                              remedy="Divide the second column by 100.")
     if not _is_number(cell):
-        raise CurveMalformed(f"{name} is {shown(cell)}", allowed="allowed a number from 0 to 1",
+        raise CurveMalformed(f"fraction is {shown(cell)}", allowed="allowed a number from 0 to 1",
                              remedy="Correct that cell.")
-    return finite_number(float(cell), name=name)
+    return finite_number(float(cell), name="fraction")

@@ -13,7 +13,7 @@ WIDEST = 10.0
 
 SPREAD = Number(
     above=1.0, at_most=WIDEST, why="grains of one size need no gradation",
-    remedy="Leave the gradation out for grains of one size; one wider than the bound is not lognormal.")
+    remedy="Leave the gradation out for grains of one size; beyond the bound branch lengths are not checked.")
 """Interval of a spread [-]."""
 
 
