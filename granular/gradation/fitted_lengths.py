@@ -42,6 +42,9 @@ class Neglected:
         Length at which it is, over the mode of eq. (19) [-].
     mean, mean_square, inverse_square : float
         <l>, <l^2> and <l^-2> by eq. (19) over those by eq. (17) [-].
+    third_of_all : float
+        <l^3> of all branches, before the cube root, by the lognormal density that has their first two moments, over the
+        true one [-]: 1/(1 + tanh^3(ln(s_r)^2/2)).
     """
 
     spread: float
@@ -51,6 +54,7 @@ class Neglected:
     mean: float
     mean_square: float
     inverse_square: float
+    third_of_all: float
 
 
 def fitted_density(sizes: Lognormal, length: ArrayLike) -> Array:
@@ -145,7 +149,8 @@ def neglected(spread: float) -> Neglected:
     first, second, inverse = (mode**k * math.exp(variance * k * (k + 2) / 2) / lengths.moment(k).value
                               for k in (1.0, 2.0, -2.0))
     return Neglected(spread=spread, spread_of_lengths=math.exp(deviation), largest_difference=difference / highest,
-                     at=math.exp(place), mean=first, mean_square=second, inverse_square=inverse)
+                     at=math.exp(place), mean=first, mean_square=second, inverse_square=inverse,
+                     third_of_all=1.0 / (1.0 + math.tanh(sizes.log_spread**2 / 2.0) ** 3))
 
 
 def _parameters(sizes: Lognormal) -> tuple[float, float]:

@@ -16,6 +16,9 @@ SPREAD = Number(
     remedy="Leave the gradation out for grains of one size; beyond the bound branch lengths are not checked.")
 """Interval of a spread [-]."""
 
+UNIFORMITY = Number(above=1.0, why="D60 is larger than D10", remedy="Leave the gradation out for grains of one size.")
+"""Interval of a coefficient of uniformity [-]; the widest that is served follows from that of the spread."""
+
 
 @dataclass(frozen=True)
 class Lognormal(SizeDistribution):
@@ -38,6 +41,8 @@ class Lognormal(SizeDistribution):
     >>> sand = Lognormal("5 mm", 1.5, form="classical")
     >>> round(sand.D50, 12), round(sand.uniformity, 3), round(Lognormal("5 mm", 1.5).D50, 6)
     (0.005, 1.863, 0.005893)
+    >>> round(Lognormal.of_uniformity("5 mm", 1.8).spread, 3)
+    1.467
     """
 
     median: float
@@ -49,6 +54,15 @@ class Lognormal(SizeDistribution):
         object.__setattr__(self, "median", SIZE.read(self.median, "median"))
         object.__setattr__(self, "spread", SPREAD.read(self.spread, "spread"))
         object.__setattr__(self, "form", chosen(self.form, ("paper", "classical"), name="form"))
+
+    @classmethod
+    def of_uniformity(cls, median: float, uniformity: float, *, form: str = "paper") -> Lognormal:
+        """Take the coefficient of uniformity C_u = D60/D10 [-], > 1, in place of the spread."""
+        from statistics import NormalDist
+
+        normal = NormalDist()
+        wide = UNIFORMITY.read(uniformity, "uniformity")
+        return cls(median, wide ** (1.0 / (normal.inv_cdf(0.6) - normal.inv_cdf(0.1))), form=form)
 
     @property
     def log_spread(self) -> float:

@@ -171,6 +171,41 @@ def lognormal_lengths(spread: float) -> Numbers:
     return Numbers(4.0 * kinematic, 1.0 / static)
 
 
+def lognormal_of_power(spread: float, power: float) -> float:
+    """Eq. (19) with another power than 1/3 of the density of all branches in eq. (17): the kinematic number.
+
+    Parameters
+    ----------
+    spread : float
+        Geometric standard deviation of grain sizes s_r [-], 1 < spread <= 10.
+    power : float
+        Power p of the density [-], 0.25 to 2.
+
+    Returns
+    -------
+    float
+        4 exp(-2 L^2) ((1 + exp(L^2))/2)^(4/p - 3) [-]; 4 cosh(L^2/2)^4 for p = 4/7, which does not change to first
+        order. The static number does not depend on the power.
+
+    Raises
+    ------
+    ValueOutOfRange
+        An argument is outside its interval.
+
+    Notes
+    -----
+    Accuracy: 1e-15 times 1 + (2 + 4/p) L^2. Source: eq. (19), derived in ``derivations.gradation``.
+
+    Examples
+    --------
+    >>> round(lognormal_of_power(1.5, 4 / 7), 4), round(lognormal_of_power(1.5, 1 / 3), 4)
+    (4.0544, 6.2194)
+    """
+    log_variance = math.log(SPREAD.read(spread, "spread")) ** 2
+    exponent = 4.0 / _POWER.read(power, "power") - 3.0
+    return 4.0 * math.exp(exponent * math.log1p(math.expm1(log_variance) / 2.0) - 2.0 * log_variance)
+
+
 def power_that_gives(spread: float, kinematic: float = 4.0) -> float:
     """Power of the density of all branches at which the kinematic number has a given value.
 

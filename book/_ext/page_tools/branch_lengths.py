@@ -13,7 +13,9 @@ from granular.branch_products import along_normals, lognormal_lengths
 from granular.branch_spread import stiffness_with_spread
 from granular.branch_stiffness import stiffness_by_direction
 from granular.checks.length_rule import SPREADS, STRETCHES, rule_errors
+from granular.directions import branch_weight
 from granular.gradation.fitted_lengths import neglected
+from granular.routes.direction_sums import axial_components
 from granular.routes.result import COMPONENTS
 from page_tools.markup import Markup, table
 
@@ -68,7 +70,7 @@ def neglected_table() -> Markup:
         found = neglected(spread)
         rows.append([f"{spread:g}", f"{found.spread_of_lengths:.4f}", f"{100 * found.largest_difference:.2g} %",
                      *(f"{value:.4f}" for value in (found.mean, found.mean_square, 1 / found.inverse_square)),
-                     f"{1 / (1 + math.tanh(math.log(spread) ** 2 / 2) ** 3):.4f}"])
+                     f"{found.third_of_all:.4f}"])
     return table(["$s_r$", "$s_\\ell$", "densities apart", "$\\langle\\ell\\rangle$", "$\\langle\\ell^2\\rangle$",
                   "$1/\\langle\\ell^{-2}\\rangle$", "$\\langle\\ell^3\\rangle_{\\mathrm{total}}$"], rows,
                  label="tab-neglected", align="rrrrrrr", take_away="eq_19_against_eq_17.csv",
@@ -83,8 +85,9 @@ def spread_by_direction() -> Markup:
                                    poisson_ratio=POISSON_RATIO, rtol=1e-12)
     closed, even = (stiffness_with_spread(SPREAD, anisotropy, poisson_ratio=POISSON_RATIO, fabric=FABRIC)
                     for anisotropy in (ANISOTROPY, 0.0))
+    sums = axial_components(found.mandel)
     rows = [[f"$C_{{{name[1:]}}}$", f"{constant:.10f}", f"{exactly:.10f}", f"{summed:.10f}"]
-            for name, constant, exactly, summed in zip(COMPONENTS, even, closed, _six(found.mandel), strict=True)]
+            for name, constant, exactly, summed in zip(COMPONENTS, even, closed, sums, strict=True)]
     return table(["component", "the same spread everywhere", "Kummer functions", f"{found.evaluations} directions"],
                  rows, label="tab-spread", align="lrrr", take_away="spread_by_direction.csv",
                  caption=f"Stiffness over $(M/V)\\,\\ell_{{50}}^2k_n$ for $D_{{33}} = {FABRIC.D33:g}$, median "
@@ -97,7 +100,7 @@ def dirac_limit() -> Markup:
     found = stiffness_by_direction(along_normals(lognormal_lengths(_median, 1.0)),
                                    fabric=AxialFabric(D33=FABRIC.D33), poisson_ratio=POISSON_RATIO, rtol=1e-12)
     known = axial_stiffness(FABRIC.D33, FABRIC.Dr33, poisson_ratio=POISSON_RATIO, kinetic=False)
-    worst = max(abs(one / other - 1) for one, other in zip(_six(found.mandel), known, strict=True))
+    worst = max(abs(one / other - 1) for one, other in zip(axial_components(found.mandel), known, strict=True))
     return Markup(f"For $s_\\ell = 1$ the rule over the sphere and the closed form of case 3 of Table II, which knows "
                   f"one length in each direction, agree to {_power(worst)} in the worst component.\n")
 
@@ -112,31 +115,19 @@ def bound_of_scene(scene: str) -> Markup:
 
 
 def _lengths(anisotropy: float) -> Callable[[Array], Array]:
-    log_variance = math.log(SPREAD) ** 2
+    log_variance, weight = math.log(SPREAD) ** 2, AxialFabric(Dr33=anisotropy)
 
     def spread(n: Array) -> Array:
         import numpy as np
 
-        found: Array = np.exp(np.sqrt(log_variance * (1 + anisotropy * _P2(n))))
+        found: Array = np.exp(np.sqrt(log_variance * branch_weight(weight, n[2])))
         return found
 
     return lognormal_lengths(_median, spread)
 
 
 def _median(n: Array) -> Array:
-    found: Array = 1 + FABRIC.Dr33 * _P2(n)
-    return found
-
-
-def _P2(n: Array) -> Array:
-    found: Array = (3 * n[2] ** 2 - 1) / 2
-    return found
-
-
-def _six(mandel: Array) -> tuple[float, ...]:
-    """Components of a Mandel matrix in the order of ``COMPONENTS``."""
-    places = ((0, 0, 1), (2, 2, 1), (0, 1, 1), (0, 2, 1), (3, 3, 2), (5, 5, 2))
-    return tuple(float(mandel[i, j]) / factor for i, j, factor in places)
+    return branch_weight(FABRIC, n[2])
 
 
 def _power(error: float) -> str:

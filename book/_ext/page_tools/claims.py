@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
-from statistics import NormalDist
 
 from granular import Evaluation, Hypothesis, Scene, evaluate
 from granular.gradation import Lognormal
@@ -14,6 +12,7 @@ from granular.gradation.readings import (
     all_branches,
     literal,
     lognormal_lengths,
+    lognormal_of_power,
     of_power,
     power_that_gives,
 )
@@ -136,7 +135,7 @@ def exponent_table() -> Markup:
     """List the exponent with which the number is that of equal spheres, and what 4/7 gives."""
     rows = [[f"{spread:g}", f"{power_that_gives(spread):.4f}",
              f"{of_power(spread, CONSTANT_TO_FIRST_ORDER).kinematic:.4f}",
-             f"{4 * math.cosh(math.log(spread) ** 2 / 2) ** 4:.4f}", f"{all_branches(spread).kinematic:.4f}"]
+             f"{lognormal_of_power(spread, CONSTANT_TO_FIRST_ORDER):.4f}", f"{all_branches(spread).kinematic:.4f}"]
             for spread in SPREADS]
     return table(["$s_r$", "exponent that gives 4", "number for 4/7", "$4\\cosh^4\\tfrac L2$", "number for 1"], rows,
                  label="tab-exponent", align="rrrrr",
@@ -146,7 +145,7 @@ def exponent_table() -> Markup:
 
 def tests_table() -> Markup:
     """Say what both hypotheses predict over the range of the tests that the paper refers to."""
-    spreads = [_spread_of(uniformity) for uniformity in TESTED_UNIFORMITIES]
+    spreads = [Lognormal.of_uniformity("1 mm", uniformity).spread for uniformity in TESTED_UNIFORMITIES]
     numbers = [literal(spread) for spread in spreads]
     rows = [[f"{uniformity:.2f}", f"{spread:.3f}", f"{one.kinematic:.3f}", f"{4 / one.static:.3f}"]
             for uniformity, spread, one in zip(TESTED_UNIFORMITIES, spreads, numbers, strict=True)]
@@ -196,12 +195,6 @@ def _without_gradation(hypothesis: Hypothesis) -> Evaluation:
     content = lognormal_scene("1 mm", SPREADS[0], hypothesis=hypothesis).model_dump(exclude_none=True)
     content["model"]["effects"] = []
     return evaluate(Scene.model_validate(content))
-
-
-def _spread_of(uniformity: float) -> float:
-    """Spread of a lognormal curve with a coefficient of uniformity."""
-    normal = NormalDist()
-    return float(uniformity ** (1 / (normal.inv_cdf(0.6) - normal.inv_cdf(0.1))))
 
 
 def _share(share: float) -> str:

@@ -17,6 +17,7 @@ from granular.gradation.readings import (
     all_branches,
     literal,
     lognormal_lengths,
+    lognormal_of_power,
     of_power,
     power_that_gives,
 )
@@ -181,3 +182,24 @@ def test_another_centre_is_refused():
     # a misspelt centre that is taken for the first one
     with pytest.raises(UnknownChoice, match="printed"):
         cut(2.0, 3.0, about="mode")
+
+
+@pytest.mark.parametrize("spread", [1.05, 1.2, 1.5, 2.0, 3.0])
+def test_the_third_moment_of_a_lognormal_sum_is_too_small(spread):
+    # Breaks when the share is not that of two independent radii against a lognormal with two moments of their sum.
+    L = math.log(spread) ** 2
+    radius = [math.exp(k * k * L / 2) for k in range(4)]  # <r^k> of a classical lognormal with median 1
+    first, second = 2 * radius[1], 2 * radius[2] + 2 * radius[1] ** 2
+    third = 2 * radius[3] + 6 * radius[2] * radius[1]
+    # a lognormal has <l^3> = (<l^2>/<l>)^3; some thirty roundings, and the powers of exp(9 L/2)
+    assert neglected(spread).third_of_all == pytest.approx((second / first) ** 3 / third, rel=1e-14)
+
+
+@pytest.mark.parametrize("spread", [1 + 1e-9, 1.2, 2.0, 10.0])
+def test_powers_of_the_lognormal_density(spread):
+    # Breaks when the exponent of the last factor, or the power 1/3 of eq. (17), is wrong.
+    L = math.log(spread) ** 2
+    rel = 1e-15 * (1 + 14 * L)  # as stated
+    assert lognormal_of_power(spread, 1 / 3) == pytest.approx(lognormal_lengths(spread).kinematic, rel=2 * rel)
+    assert lognormal_of_power(spread, 4 / 7) == pytest.approx(4 * math.cosh(L / 2) ** 4, rel=2 * rel)
+    assert lognormal_of_power(spread, 1.0) == pytest.approx(2 * (math.exp(-L) + math.exp(-2 * L)), rel=2 * rel)

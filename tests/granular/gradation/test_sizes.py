@@ -222,3 +222,18 @@ def test_is_plain_data(sizes):
     again = pickle.loads(pickle.dumps(sizes))
     assert again == sizes
     assert hash(again) == hash(sizes)
+
+
+@given(st.floats(1.001, 30.0), st.sampled_from(["paper", "classical"]))
+def test_a_coefficient_of_uniformity_gives_its_spread(uniformity, form):
+    # Breaks when the quantiles of 10 and 60 per cent are exchanged, or the form changes a ratio of sizes.
+    sizes = Lognormal.of_uniformity("2 mm", uniformity, form=form)
+    assert sizes.uniformity == pytest.approx(uniformity, rel=1e-14)  # a power, two exponentials, and two quantiles
+    assert sizes.form == form
+
+
+@pytest.mark.parametrize("uniformity", [1.0, 0.5, 1e3])
+def test_impossible_uniformities_are_refused(uniformity):
+    # Breaks when D60 may be smaller than D10, or a spread beyond what is checked is served.
+    with pytest.raises(errors.ValueOutOfRange):
+        Lognormal.of_uniformity("2 mm", uniformity)
