@@ -47,17 +47,21 @@ def _start(
 
 
 @app.command()
-def run(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", json: AsJson = False) -> None:
+def run(
+    scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto",
+    explain: Annotated[bool, typer.Option("--explain", help="Show the plan with the result.")] = False,
+    json: AsJson = False,
+) -> None:
     """Stiffness of a scene, with its error, route, effects and wave speeds."""
     from granular.evaluation import evaluate
-    from granular.report import evaluation_as_json, evaluation_as_text
+    from granular.report import evaluation_as_json, evaluation_as_text, plan_as_json
     from granular.scene import Scene
 
     result = evaluate(Scene.from_toml(scene), rtol=_accuracy(rtol), route=route)
     if json:
-        _print_json(evaluation_as_json(result))
+        _print_json(evaluation_as_json(result) | ({"plan": plan_as_json(result.plan)} if explain else {}))
     else:
-        _print_blocks(evaluation_as_text(result))
+        _print_blocks(evaluation_as_text(result, explain=explain))
 
 
 @app.command()
@@ -94,9 +98,24 @@ def check(
     random: Annotated[int | None, typer.Option(
         "--random", metavar="N", min=1, help="Instead, search N random inputs with contact forces, and as many "
                                              "spheroids, for the worst error against ball arithmetic.")] = None,
+    promises: Annotated[int | None, typer.Option(
+        "--promises", metavar="N", min=1, help="Instead, evaluate N random scenes at four wanted accuracies, and hold "
+                                               "what was promised against their true stiffness.")] = None,
+    choices: Annotated[int | None, typer.Option(
+        "--choices", metavar="N", min=1, help="Instead, time every route on N random scenes, and say how often the "
+                                              "plan's own was the cheapest that is accurate enough.")] = None,
     seed: Annotated[int, typer.Option("--seed", metavar="S", help="Start of the random inputs.")] = 1999,
 ) -> None:
     """Numerics against symbolic limits, quadrature and certified values; exit code 1 on any miss."""
+    _require_one({"--random": random, "--promises": promises, "--choices": choices})
+    if promises is not None:
+        from granular.checks.promises import run_promises
+
+        raise typer.Exit(run_promises(promises, seed=seed, json_out=out))
+    if choices is not None:
+        from granular.checks.choices import run_choices
+
+        raise typer.Exit(run_choices(choices, seed=seed, json_out=out))
     if random is not None:
         from granular.checks.search import run_search
 
@@ -167,6 +186,14 @@ def _accuracy(text: str | None) -> float | None:
     except ValueError:
         raise BadOption(f"--rtol = {shown(text)}", allowed="allowed a number inside (0, 1)",
                         remedy="Write it like --rtol 1e-12.") from None
+
+
+def _require_one(options: dict[str, int | None]) -> None:
+    """Refuse two checks at once."""
+    given = [name for name, value in options.items() if value is not None]
+    if len(given) > 1:
+        raise BadOption(f"{given[0]} and {given[1]} are both given", allowed="allowed one of the two",
+                        remedy="Run one after the other.")
 
 
 def _rounds(text: str) -> int:

@@ -11,7 +11,7 @@ from granular.elasticity import Stiffness
 from granular.errors import ResultOutOfRange
 from granular.hypothesis import Hypothesis
 from granular.number_of_contacts import PER_CUBIC_METRE, PER_DIAMETER_CUBED, contacts_per_volume
-from granular.planning import COARSE, COARSE_SHARE, Plan, plan, route_accuracy, scaling_error
+from granular.planning import COARSE, COARSE_SHARE, Plan, plan, with_left_out
 from granular.routes.catalogue import ROUTES
 from granular.routes.result import COMPONENTS, Six
 
@@ -33,7 +33,9 @@ class Evaluation:
     normalised : tuple of 6 float
         C1111, C3333, C1122, C1133, C2323, C1212 over ``reference_stiffness`` [-].
     relative_error : float
-        Bound for the worst component, relative to that component [-].
+        Bound for the worst component, relative to that component, with what was left out for a wanted accuracy [-].
+    route_error : float
+        Share of ``relative_error`` that the route has, with the tie of C1212 to C1111 and C1122 [-].
     reference_stiffness : float
         (M/V) l_e^2 k_n,ref [Pa]; for graded grains l_e^2 is the mean square of the branch lengths.
     evaluations : int
@@ -51,6 +53,7 @@ class Evaluation:
     stiffness: Stiffness
     normalised: Six
     relative_error: float
+    route_error: float
     reference_stiffness: float
     evaluations: int
     contacts_per_volume: float
@@ -157,7 +160,7 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
     decided = plan(scene, rtol=rtol, route=route)
     result = ROUTES[decided.route].evaluate(
         decided.fabric, poisson_ratio=decided.poisson_ratio, hypothesis=decided.hypothesis, loading=decided.loading,
-        rtol=route_accuracy(decided.rtol, decided.lengths))
+        rtol=decided.route_rtol)
     components, error = _axially_tied(result.components, result.relative_error)
     coordination, lengths = scene.packing.coordination, decided.lengths
     reference = reference_stiffness(
@@ -169,7 +172,8 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
             components = _times(components, 1 / (lengths.second * lengths.inverse_second))
     return Evaluation(
         stiffness=Stiffness.transversely_isotropic(*_in_pascals(components, reference, decided)),
-        normalised=components, relative_error=error + scaling_error(lengths),
+        normalised=components, relative_error=with_left_out(error + decided.scaling_error, decided.left_out_error),
+        route_error=error,
         reference_stiffness=reference, evaluations=result.evaluations,
         contacts_per_volume=contacts_per_volume(
             scene.packing.void_ratio, coordination,

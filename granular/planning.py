@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from granular.effects.selection import Selection, select
-from granular.errors import ComplianceInfinite, RouteOutOfDomain, WrongType
+from granular.effects.selection import Selection, model_of, select
+from granular.errors import ComplianceInfinite, ResultOutOfRange, RouteOutOfDomain, WrongType
 from granular.fabric import AxialFabric
 from granular.fields import Number, chosen
 from granular.gradation import length_moments
@@ -16,6 +16,8 @@ from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Promise, Rout
 from granular.units import shown
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from granular.gradation import LengthMoments, SizeDistribution
     from granular.loading import Loading
     from granular.scene import Scene
@@ -64,9 +66,17 @@ class Plan:
     evaluations : int
         Predicted number of directions in which the integrand is evaluated [-].
     relative_error : float
-        Predicted bound for the worst component, relative to that component [-].
+        Predicted bound for the worst component, relative to that component, with what was left out [-].
     rtol : float or None
         Wanted relative accuracy [-].
+    left_out_error : float
+        Share of ``relative_error`` that comes from effects left out for ``rtol`` [-].
+    route_error, scaling_error : float
+        Shares of it that come from the route and from the step to pascals [-].
+    selection : Selection
+        How the effects were chosen.
+    asked_route : str
+        "auto", or the route that was asked for.
     """
 
     hypothesis: Hypothesis
@@ -83,6 +93,26 @@ class Plan:
     evaluations: int
     relative_error: float
     rtol: float | None
+    left_out_error: float
+    route_error: float
+    scaling_error: float
+    selection: Selection
+    asked_route: str
+
+    @property
+    def route_rtol(self) -> float | None:
+        """Relative accuracy that the route is asked for [-]; None when none is wanted."""
+        return route_accuracy(remaining(self.rtol, self.left_out_error), self.lengths)
+
+    @property
+    def bounds(self) -> dict[str, float]:
+        """Effect that the scene calls for -> how much leaving it out changes any component, at most [-]."""
+        return self.selection.bounds
+
+    @property
+    def costs(self) -> dict[str, tuple[int, int] | None]:
+        """Effect that the scene calls for -> evaluations with it and without it [-]; None where one is refused."""
+        return {name: _cost(self, name) for name in self.selection.considered}
 
 
 def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Plan:
@@ -132,12 +162,22 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
                         remedy="Read one with Scene.from_toml(path), or build one with Scene(...).")
     wanted = scene.model.rtol if rtol is None else WANTED.read(rtol, "rtol")
     name = chosen(route, ("auto", *ROUTES), name="route")
-    selection = select(scene)
-    fabric, hypothesis = selection.fabric, scene.model.hypothesis
+    selection = select(scene, rtol=wanted)
+    if selection.left_out_error:
+        try:
+            return _planned(scene, selection, wanted, name)
+        except RouteOutOfDomain:  # the rest is too little for the route, or its promise holds for the whole scene only
+            selection = select(scene)
+    return _planned(scene, selection, wanted, name)
+
+
+def _planned(scene: Scene, selection: Selection, rtol: float | None, name: str) -> Plan:
+    fabric, hypothesis, left_out = selection.fabric, scene.model.hypothesis, selection.left_out_error
     if hypothesis is Hypothesis.STATIC:
         _require_finite_compliance(selection)
     lengths = None if selection.sizes is None else length_moments(selection.sizes)
     scaling = scaling_error(lengths)
+    wanted = remaining(rtol, left_out)
     left = route_accuracy(wanted, lengths)
     _require_reachable(wanted, left, scaling)
     best, promise, reason = _decide(name, fabric, hypothesis, selection.loading, left)
@@ -147,7 +187,78 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
         effects_simulated=tuple(selection.simulated), called_for=selection.simulated,
         effects_not_called_for=selection.not_called_for, fabric=fabric, loading=selection.loading,
         sizes=selection.sizes, lengths=lengths, poisson_ratio=scene.grains.poisson_ratio,
-        evaluations=promise.evaluations, relative_error=promise.relative_error + scaling, rtol=wanted)
+        evaluations=promise.evaluations, relative_error=with_left_out(promise.relative_error + scaling, left_out),
+        rtol=rtol, left_out_error=left_out, route_error=promise.relative_error, scaling_error=scaling,
+        selection=selection, asked_route=name)
+
+
+def _cost(decided: Plan, effect: str) -> tuple[int, int] | None:
+    """Evaluations with an effect and without it; the model that is simulated is one of the two."""
+    selection = decided.selection
+    with_it, without_it = selection.with_effect(effect), selection.without_effect(effect)
+    try:
+        return _evaluations(decided, with_it), _evaluations(decided, without_it)
+    except (RouteOutOfDomain, ComplianceInfinite, ResultOutOfRange):
+        return None
+
+
+def _evaluations(decided: Plan, effects: Collection[str]) -> int:
+    if set(effects) == set(decided.effects_simulated):
+        return decided.evaluations
+    model = model_of(decided.selection.scene, effects)
+    if model.static and model.loading is not None:
+        model.loading.require_finite_compliance(model.fabric.D33)
+    _, promise, _ = _decide(decided.asked_route, model.fabric, model.hypothesis, model.loading, decided.route_rtol)
+    return promise.evaluations
+
+
+def remaining(rtol: float | None, left_out_error: float) -> float | None:
+    """What is left of a wanted accuracy once effects have been left out.
+
+    Parameters
+    ----------
+    rtol : float or None
+        Wanted relative accuracy of every component [-].
+    left_out_error : float
+        Bound for the relative change by what was left out [-], below ``rtol``.
+
+    Returns
+    -------
+    float or None
+        Wanted relative accuracy of every component of the smaller model [-]; ``rtol`` itself where nothing was left
+        out.
+
+    Notes
+    -----
+    Source: (1 + left out)(1 + remaining) - 1 = rtol, rounded down.
+    """
+    if rtol is None or not left_out_error:
+        return rtol
+    return (rtol - left_out_error) / (1 + left_out_error) * (1 - 2.0**-50)
+
+
+def with_left_out(relative_error: float, left_out_error: float) -> float:
+    """Error of a smaller model, as an error of the whole.
+
+    Parameters
+    ----------
+    relative_error : float
+        Bound for the components of the model that was computed [-].
+    left_out_error : float
+        Bound for the relative change by what was left out [-].
+
+    Returns
+    -------
+    float
+        Bound for the components of the model with everything that the scene calls for [-].
+
+    Notes
+    -----
+    Source: the product of two factors next to one.
+    """
+    if not left_out_error:
+        return relative_error
+    return left_out_error + relative_error + left_out_error * relative_error
 
 
 def scaling_error(lengths: LengthMoments | None) -> float:

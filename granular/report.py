@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from granular.explanation import EffectTable, effect_lines, error_budget, explained
 from granular.hypothesis import Hypothesis
 from granular.number_of_contacts import PER_CUBIC_METRE, PER_DIAMETER_CUBED
 
@@ -121,16 +122,22 @@ def plan_as_json(decided: Plan) -> dict[str, Any]:
         "rtol": decided.rtol,
         "effects": {"simulated": list(decided.effects_simulated), "called_for": decided.called_for,
                     "not_called_for": decided.effects_not_called_for},
+        "bounds": {name: _finite(bound) for name, bound in decided.bounds.items()},
+        "costs": {name: None if cost is None else dict(zip(("with", "without"), cost, strict=True))
+                  for name, cost in decided.costs.items()},
+        "left_out_error": decided.left_out_error,
     }
 
 
-def evaluation_as_text(result: Evaluation) -> list[RenderableType]:
+def evaluation_as_text(result: Evaluation, *, explain: bool = False) -> list[RenderableType]:
     """What ``granular run`` shows, for a console of any width.
 
     Parameters
     ----------
     result : Evaluation
         An evaluated scene.
+    explain : bool
+        With the plan: the table of effects, the reason of the route, where the error comes from.
 
     Returns
     -------
@@ -153,14 +160,15 @@ def evaluation_as_text(result: Evaluation) -> list[RenderableType]:
         blocks += [_title(f"Waves in the dry assembly, {waves.density:.6g} kg/m^3"), _wave_table(waves), ""]
     blocks += [_title("How it was computed"), _facts({
         "error bound": _bound(result.relative_error),
-        "route": f"{result.route} ({result.evaluations} evaluations of the integrand)",
+        **(explained(result) if explain else
+           {"route": f"{result.route} ({result.evaluations} evaluations of the integrand)"}),
         "unit": f"(M/V) l_e^2 k_n,ref = {_pressure(result.reference_stiffness)}",
         "contacts": f"{result.contacts_per_volume:.7g} {CONTACTS[result.contacts_per_volume_unit]}",
         "grain sizes": _sizes(result),
         "spin": _spin(result),
-        **_effects(result.plan),
+        **({} if explain else _effects(result.plan)),
     })]
-    return blocks
+    return [*blocks, *_effect_table(result.plan)] if explain else blocks
 
 
 def plan_as_text(decided: Plan) -> list[RenderableType]:
@@ -186,8 +194,13 @@ def plan_as_text(decided: Plan) -> list[RenderableType]:
         "cost": f"{decided.evaluations} evaluations of the integrand",
         "error bound": _bound(decided.relative_error)
                        + ("" if decided.rtol is None else f", wanted {decided.rtol:.2g}"),
-        **_effects(decided),
-    })]
+        "error budget": error_budget(decided.route_error, decided.scaling_error, decided.left_out_error),
+    }), *_effect_table(decided)]
+
+
+def _effect_table(decided: Plan) -> list[RenderableType]:
+    return ["", _title("Effects, and how much each component would change at most without them"),
+            EffectTable(effect_lines(decided))]
 
 
 def _title(text: str) -> RenderableType:
@@ -262,8 +275,11 @@ def _effects(decided: Plan) -> dict[str, str]:
     def listed(reasons: Mapping[str, str]) -> str:
         return "\n".join(f"{name}: {reason}" for name, reason in reasons.items())
 
+    spent = decided.selection.spent
     return {"simulated": listed(decided.called_for) or "no effect: this is the ideal assembly",
-            "not called for": listed(decided.effects_not_called_for)}
+            "left out": listed({name: decided.effects_not_called_for[name] for name in spent}),
+            "not called for": listed({name: reason for name, reason in decided.effects_not_called_for.items()
+                                      if name not in spent})}
 
 
 def _pressure(value: float) -> str:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from granular.effects.bound import Bound, Change, Simulated, largest_change
 from granular.effects.effect import Called, Effect
+from granular.effects.ranges import UNCHANGED, Range
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
@@ -26,6 +29,21 @@ def _add_to_fabric(scene: Scene, fabric: AxialFabric) -> AxialFabric:
     return replace(fabric, aspect_ratio=scene.fabric.aspect_ratio, free_spin=scene.fabric.free_spin)
 
 
+def _bound(simulated: Simulated) -> Bound:
+    """Branches are 2 a (n_1, n_2, r^2 n_3)/sqrt(Q) with Q = s + r^2 y between 1 and r^2, and a^2 = r^(-2/3) r_e^2."""
+    if simulated.fabric.free_spin:
+        return Bound(math.inf, "grains that spin yield to vertical shear as no average of their contacts does")
+    square = Range.of(simulated.fabric.aspect_ratio) ** 2.0
+    between = UNCHANGED | square
+    if simulated.static:  # 1/l^2 = Q/((2 a)^2 (s + r^4 y)), and the mean of n^l_i n_k in place of N_ik
+        change = Change(share=between / square ** (1 / 3), across=between, along=between / square)
+    else:  # components take l_1^2, l_1 l_3, or l_3^2
+        change = Change(share=square ** (1 / 3) * between / (UNCHANGED | square ** 2.0))
+    return Bound(largest_change(change, simulated), "the largest change of a product of branch components")
+
+
 EFFECT = Effect(
-    name="deviation", title="angle between branch vector and contact normal", source="eqs (5) and (6)",
-    without="the grains are then taken as spheres", called_for=_called_for, add_to_fabric=_add_to_fabric)
+    name="deviation", title="angle between branch vector and contact normal", equations="eqs (5) and (6)",
+    without="the grains are then taken as spheres", called_for=_called_for, bound=_bound,
+    add_to_fabric=_add_to_fabric, excludes=("branches",),
+    modules=("granular.spheroid", "granular.generated.spheroid"))

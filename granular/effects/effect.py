@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from granular.effects.bound import Bound, Simulated
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
@@ -29,6 +32,11 @@ class Called:
     reason: str
 
 
+def _nothing_proved(simulated: Simulated) -> Bound:
+    del simulated  # whatever it is
+    return Bound(math.inf, "nothing is proved")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Effect:
     """One effect; the catalogue of the package holds all of them.
@@ -39,12 +47,14 @@ class Effect:
         Name in the scene file.
     title : str
         What it is, in the field's words.
-    source : str
+    equations : str
         Equations that it comes from.
     without : str
         What leaving it out means.
     called_for : callable
         Decides from a scene.
+    bound : callable
+        How much any of the six components changes when it is left out of a model that has it, and all else stays.
     add_to_fabric : callable or None
         Puts the scene's share of the effect into the fabric that is computed; None where it has no share.
     add_to_loading : callable or None
@@ -53,14 +63,21 @@ class Effect:
         The grain sizes of a scene, for the effect that carries them.
     requires : tuple of str
         Effects without which this one means nothing.
+    excludes : tuple of str
+        Effects that no scene has beside this one.
+    modules : tuple of str
+        Modules that compute the effect and nothing else: a scene without it never imports them.
     """
 
     name: str
     title: str
-    source: str
+    equations: str
     without: str
     called_for: Callable[[Scene], Called]
+    bound: Callable[[Simulated], Bound] = _nothing_proved
     add_to_fabric: Callable[[Scene, AxialFabric], AxialFabric] | None = None
     add_to_loading: Callable[[Scene, Loading | None], Loading] | None = None
     sizes: Callable[[Scene], SizeDistribution] | None = None
     requires: tuple[str, ...] = ()
+    excludes: tuple[str, ...] = ()
+    modules: tuple[str, ...] = ()

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from granular.effects.bound import Bound, Simulated
 from granular.effects.effect import Called, Effect
+from granular.effects.ranges import Range
 from granular.errors import MissingKey
 
 if TYPE_CHECKING:
@@ -26,6 +29,19 @@ def _sizes(scene: Scene) -> SizeDistribution:
     return scene.gradation.sizes
 
 
+def _bound(simulated: Simulated) -> Bound:
+    """The branch lengths multiply all components by one number."""
+    from granular.gradation import length_moments
+
+    if simulated.sizes is None:
+        return Bound(0.0, "all grains have one size")
+    lengths = length_moments(simulated.sizes)
+    factor = Range.of(lengths.inverse_second) if simulated.static else Range.of(lengths.second) ** -1.0
+    known = Range.of(1 - Fraction(lengths.relative_error), 1 + Fraction(lengths.relative_error))
+    return Bound((factor / known).change, "the factor that the branch lengths make of all components")
+
+
 EFFECT = Effect(
-    name="gradation", title="grains of many sizes", source="eqs (10)-(13) and (15)-(19)",
-    without="all grains then have one size", called_for=_called_for, sizes=_sizes)
+    name="gradation", title="grains of many sizes", equations="eqs (10)-(13) and (15)-(19)",
+    without="all grains then have one size", called_for=_called_for, bound=_bound, sizes=_sizes,
+    modules=("granular.gradation.lognormal_branches", "granular.gradation.curve_branches"))

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from granular.effects.bound import Bound, Change, Simulated, largest_change
 from granular.effects.effect import Called, Effect
+from granular.effects.ranges import Range
 
 if TYPE_CHECKING:
     from granular.loading import Loading
@@ -56,8 +59,19 @@ def _add_to_loading(scene: Scene, loading: Loading | None) -> Loading:
     return loading or scene.stress.loading(None)
 
 
+def _bound(simulated: Simulated) -> Bound:
+    loading = simulated.loading
+    if loading is None:
+        return Bound(0.0, "every contact has one stiffness")
+    if loading.friction is not None or loading.opens():
+        return Bound(math.inf, "slip and opening need it")
+    stiffness = Range.of(*loading.coefficients(simulated.fabric.D33)) ** (1 / 3)
+    return Bound(largest_change(Change(normal=stiffness ** -1.0), simulated),
+                 "the cube root of the contact force in any direction")
+
+
 EFFECT = Effect(
-    name="kinetic", title="contact stiffness that follows the contact force", source="eqs (20) and (22)-(23)",
+    name="kinetic", title="contact stiffness that follows the contact force", equations="eqs (20) and (22)-(23)",
     without="every contact then has the stiffness of the ideal assembly under the mean stress, as in the paper's "
             "Table II",
-    called_for=_called_for, add_to_loading=_add_to_loading)
+    called_for=_called_for, bound=_bound, add_to_loading=_add_to_loading)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
+from granular.effects.bound import Bound, Simulated
 from granular.effects.effect import Called, Effect
 from granular.effects.kinetic import force_coefficients
 
@@ -24,7 +26,13 @@ def _add_to_loading(scene: Scene, loading: Loading | None) -> Loading:
     return loading or scene.stress.loading(None)
 
 
+def _bound(simulated: Simulated) -> Bound:
+    if simulated.loading is None or not simulated.loading.opens():
+        return Bound(0.0, "no contact is pulled")
+    return Bound(math.inf, "the cube root of a tension is no stiffness")
+
+
 EFFECT = Effect(
-    name="opening", title="contacts that have opened", source="the local yield condition that goes with eq. (20)",
-    without="contacts then never open", called_for=_called_for, add_to_loading=_add_to_loading,
-    requires=("kinetic",))
+    name="opening", title="contacts that have opened", equations="the local yield condition that goes with eq. (20)",
+    without="contacts then never open", called_for=_called_for, bound=_bound, add_to_loading=_add_to_loading,
+    requires=("kinetic",), modules=("granular.routes.log_tangent_opening", "granular.routes.opening_rule"))
