@@ -98,15 +98,17 @@ def log(ratio: Fraction | float) -> float:
     >>> log(1 + Fraction(1, 10**30)), log(0)
     (1e-30, -inf)
     """
-    exact = Fraction(ratio)
-    if exact == 0:
+    numerator, denominator = ratio.as_integer_ratio()
+    apart = numerator - denominator
+    if 2 * abs(apart) < denominator:  # the quotient of two integers is rounded once
+        near = math.log1p(apart / denominator)
+        return near if abs(near) > LEAST else LEAST * ((apart > 0) - (apart < 0))
+    if numerator == 0:
         return -math.inf
-    apart = exact - 1
-    if abs(apart) < 0.5:
-        return math.log1p(float(apart)) if abs(apart) > LEAST else LEAST * ((apart > 0) - (apart < 0))
-    if LEAST < exact < 1 / LEAST:
-        return math.log(float(exact))
-    return math.log(exact.numerator) - math.log(exact.denominator)
+    try:
+        return math.log(numerator / denominator)
+    except (OverflowError, ValueError):
+        return math.log(numerator) - math.log(denominator)
 
 
 def expm1(power: float) -> float:

@@ -200,13 +200,15 @@ def _by_name() -> dict[str, Effect]:
 def _negligible(scene: Scene, names: Collection[str], budget: float) -> dict[str, Bound]:
     """Effects that can go within a budget, each with its bound for the model that is left when it goes."""
     kept, spent = set(names), dict[str, Bound]()
+    model = model_of(scene, kept)
     for effect in reversed(CATALOGUE):
         if effect.name not in kept or any(effect.name in other.requires for other in CATALOGUE if other.name in kept):
             continue
-        bound = effect.bound(model_of(scene, kept))
+        bound = effect.bound(model)
         if _together([*spent.values(), bound]) <= budget:
             kept.remove(effect.name)
             spent[effect.name] = bound
+            model = model_of(scene, kept)
     return spent
 
 

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import granular.effects
 from granular.effects import CATALOGUE, Called, Effect, selection
-from granular.effects.selection import LEFT_OUT, select
+from granular.effects.selection import LEFT_OUT, SHARE, rounded_up, select
 from granular.errors import ConflictingKeys, MissingKey
 from granular.fabric import AxialFabric
 from granular.loading import Loading
@@ -228,6 +228,81 @@ def test_no_friction_at_all_slips_without_shear_forces():
     chosen = select(scene(0.0, 1.0, grains={"friction_coefficient": 0.0}))
     assert list(chosen.simulated) == ["kinetic", "slip"]
     assert chosen.simulated["kinetic"] == "slip needs it"
+
+
+NEARLY = {"packing": {"contact_normals": {"D33": 1e-8}}, "branches": {"anisotropy": {"D33": -1e-8}},
+          "stress": {"ratio": 1 + 1e-8}, "grains": {"friction_coefficient": 0.3}}
+"""Every effect of branches along the normals, and each of them next to nothing."""
+
+
+def test_a_wanted_accuracy_leaves_out_what_it_cannot_tell():
+    # Breaks when a negligible effect is simulated under a loose accuracy, or left out under none or a strict one.
+    nearly = scene(**{**NEARLY, "gradation": {"distribution": "lognormal", "median": 1.0, "spread": 1.0001}})
+    everything = ["packing", "branches", "gradation", "kinetic", "slip"]
+    assert list(select(nearly).simulated) == everything
+    assert list(select(nearly, rtol=1e-10).simulated) == everything
+    loose = select(nearly, rtol=1e-5)
+    assert loose.simulated == {}
+    assert (loose.fabric, loose.loading, loose.sizes) == (AxialFabric(), None, None)
+    assert 0 < loose.left_out_error <= SHARE * 1e-5
+    for name in everything:
+        assert loose.not_called_for[name] == (f"would change no component by more than "
+                                              f"{rounded_up(loose.bounds[name])}, within its share of rtol = 1e-05")
+
+
+def test_a_list_is_never_cut():
+    # Breaks when what a scene lists is left out for an accuracy.
+    listed = scene(**NEARLY, model={"effects": ["packing", "branches"]})
+    assert list(select(listed, rtol=0.5).simulated) == ["packing", "branches"]
+    assert select(listed, rtol=0.5).left_out_error == 0.0
+
+
+def test_what_saves_most_goes_first_and_what_it_needs_after_it():
+    # Breaks when kinetic goes before slip, or the budget is spent on the density of normals while slip stays.
+    nearly = scene(**NEARLY)
+    together = select(nearly, rtol=1e-5)
+    assert list(together.spent) == ["slip", "kinetic", "branches", "packing"]
+    order = select(nearly, rtol=2.001 * together.spent["slip"].value)
+    assert list(order.spent) == ["slip"]
+    assert list(order.simulated) == ["packing", "branches", "kinetic"]
+    assert order.loading == Loading.of_ratio(1 + 1e-8)
+    sliding = scene(**{**NEARLY, "grains": {"friction_coefficient": 1e-9}})
+    assert "kinetic" in select(sliding, rtol=1e-3).simulated
+
+
+def test_bounds_of_several_effects_are_put_together():
+    # Breaks when the sum is taken where changes come one upon the other, or the budget is exceeded by it.
+    loose = select(scene(1e-3, branches={"anisotropy": {"D33": 1e-3}}), rtol=0.5)
+    product = math.prod(1 + bound.value for bound in loose.spent.values())
+    assert len(loose.spent) == 3
+    assert product - 1 <= loose.left_out_error <= (product - 1) * (1 + 1e-12)  # rounding of the product above
+
+
+def test_leaving_an_effect_out_takes_along_what_needs_it():
+    # Breaks when kinetic gets a bound, or a cost, beside slip that stays without it.
+    chosen = select(scene(0.0, 1.001, grains={"friction_coefficient": 0.3}))
+    assert chosen.without_effect("kinetic") == set()
+    assert chosen.with_effect("slip") == {"kinetic", "slip"}
+    assert chosen.bounds["kinetic"] > chosen.bounds["slip"] > 0
+    alone = select(scene(0.0, 1.001))
+    assert chosen.bounds["kinetic"] == pytest.approx((1 + chosen.bounds["slip"]) * (1 + alone.bounds["kinetic"]) - 1)
+
+
+def test_what_excludes_each_other_has_no_scene():
+    # Breaks when a record excludes an effect that a scene may well have beside it, or on one side only.
+    pairs = {(effect.name, other) for effect in CATALOGUE for other in effect.excludes}
+    assert pairs == {("branches", "deviation"), ("deviation", "branches")}
+    with pytest.raises(ConflictingKeys):
+        scene(branches={"anisotropy": {"D33": 0.1}}, shape={"aspect_ratio": 0.9})
+
+
+@pytest.mark.parametrize("effect", CATALOGUE, ids=list(BY_NAME))
+def test_an_absent_effect_changes_nothing(effect):
+    # Breaks when the bound of an effect that is listed and absent is not zero.
+    if effect.name in ("slip", "gradation"):  # they need data to be listed
+        return
+    absent = scene(model={"effects": sorted({effect.name, *effect.requires})})
+    assert select(absent).bounds[effect.name] == 0.0
 
 
 def test_a_new_effect_is_one_record(monkeypatch):

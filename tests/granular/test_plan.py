@@ -8,12 +8,12 @@ import re
 from copy import deepcopy
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import granular
 from granular import errors
-from granular.planning import COARSE, SCALING_ERROR, plan, route_accuracy
+from granular.planning import COARSE, SCALING_ERROR, plan, remaining, route_accuracy, with_left_out
 from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES
 from granular.scene import Scene
 
@@ -191,6 +191,101 @@ def test_the_route_gets_what_the_last_steps_leave(rtol):
     left = route_accuracy(rtol)
     assert left + SCALING_ERROR <= rtol * (1 + 2.0**-52)
     assert rtol <= COARSE or 1.25 * left < rtol
+
+
+# ---- effects that a wanted accuracy cannot tell
+
+
+def next_to_nothing(power, **tables):
+    size = 10.0**power
+    content = deepcopy(SOUND) | {"stress": {"mean": "28 kPa", "ratio": 1 + size}}
+    content["grains"]["friction_coefficient"] = 0.3
+    content["packing"]["contact_normals"] = {"D33": -size, "D3333": size / 2}
+    content["gradation"] = {"distribution": "lognormal", "median": 1.0, "spread": 1 + size}
+    return Scene.model_validate(content | tables)
+
+
+@settings(deadline=None)
+@given(st.floats(-13, -2), st.floats(-13, -0.5), st.sampled_from(["kinematic", "static"]),
+       st.sampled_from([{"branches": {"anisotropy": {"D33": 1e-5}}}, {"shape": {"aspect_ratio": 1.00001}}]))
+def test_what_was_left_out_is_part_of_the_error(power, accuracy, hypothesis, branches):
+    # Breaks when the error of a result is that of its route alone, or exceeds what was asked for.
+    given_scene = next_to_nothing(power, **branches, model={"hypothesis": hypothesis})
+    wanted, full = 10.0**accuracy, granular.evaluate(given_scene)
+    decided, result = plan(given_scene, rtol=wanted), granular.evaluate(given_scene, rtol=wanted)
+    assert decided.left_out_error <= wanted / 2
+    assert decided.relative_error <= result.relative_error <= wanted
+    assert result.evaluations == decided.evaluations
+    for name, value in full.stiffness.components.items():
+        true = abs(result.stiffness.components[name] - value) / value
+        assert true <= result.relative_error + full.relative_error
+
+
+def test_leaving_out_buys_evaluations():
+    # Breaks when the smaller model is computed as the larger one, or without an accuracy anything is left out.
+    nearly = next_to_nothing(-6)
+    assert plan(nearly).left_out_error == 0.0
+    assert plan(nearly).evaluations > 0 < plan(nearly, rtol=1e-9).evaluations
+    assert plan(nearly, rtol=1e-3).evaluations == 0
+    assert granular.evaluate(nearly, rtol=1e-3).evaluations == 0
+
+
+def test_an_accuracy_is_not_refused_for_what_was_left_out():
+    # Breaks when effects spend what the route needs, while the whole scene could be had as accurately.
+    nearly = scene(0.3, 1e-16, effects="auto")
+    bound = plan(nearly).relative_error
+    reachable = plan(nearly, rtol=bound)
+    assert (reachable.left_out_error, reachable.relative_error) == (0.0, bound)
+    assert plan(nearly, rtol=1e-13).left_out_error > 0
+
+
+def test_the_remainder_and_the_left_out_make_up_the_wanted_accuracy():
+    # Breaks when the route is given more than is left.
+    assert remaining(1e-6, 0.0) == 1e-6
+    assert remaining(None, 0.0) is None
+    assert with_left_out(remaining(1e-3, 4e-4), 4e-4) <= 1e-3
+    assert with_left_out(1e-15, 0.0) == 1e-15
+    assert with_left_out(0.5, 0.5) == 1.25
+
+
+@pytest.mark.parametrize("name", ["auto", "axial"])
+@pytest.mark.parametrize("hypothesis", ["kinematic", "static"])
+def test_costs_are_those_of_the_models_with_and_without(name, hypothesis):
+    # Breaks when the cost of an effect is not what evaluating with it and without it counts.
+    content = deepcopy(SOUND) | {"stress": {"mean": "28 kPa", "ratio": 1.1}, "shape": {"aspect_ratio": 0.9}}
+    content["grains"]["friction_angle"] = "20 deg"
+    content["packing"]["contact_normals"] = {"D33": 0.3}
+    without = {"packing": ["deviation", "kinetic", "slip"], "deviation": ["packing", "kinetic", "slip"],
+               "kinetic": ["packing", "deviation"], "slip": ["packing", "deviation", "kinetic"]}
+
+    def counted(effects):
+        content["model"] = {"hypothesis": hypothesis, "effects": effects}
+        return granular.evaluate(Scene.model_validate(content), route=name).evaluations
+
+    whole = counted("auto")
+    content["model"] = {"hypothesis": hypothesis}
+    costs = plan(Scene.model_validate(content), route=name).costs
+    assert costs == {effect: (whole, counted(rest)) for effect, rest in without.items()}
+
+
+def test_a_list_shows_what_it_leaves_out_at_its_cost():
+    # Breaks when an effect that the list leaves out has no bound and no cost in the plan.
+    content = deepcopy(SOUND) | {"stress": {"mean": "28 kPa", "ratio": 1.1}, "model": {"effects": []}}
+    decided = plan(Scene.model_validate(content), route="axial")
+    content["model"]["effects"] = ["kinetic"]
+    listed = plan(Scene.model_validate(content), route="axial")
+    assert decided.costs["kinetic"] == (listed.evaluations, decided.evaluations) == listed.costs["kinetic"]
+    assert 0 < decided.bounds["kinetic"] < 0.1
+
+
+def test_a_model_without_a_stiffness_has_no_cost():
+    # Breaks when the plan of a scene fails for another scene, whose contacts slide under the static hypothesis.
+    content = deepcopy(SOUND) | {"stress": {"mean": "28 kPa", "ratio": 2.0}}
+    content["grains"]["friction_angle"] = "12 deg"
+    content["model"] = {"hypothesis": "static", "effects": ["kinetic"]}
+    decided = plan(Scene.model_validate(content))
+    assert decided.costs["slip"] is None
+    assert decided.bounds["slip"] == math.inf
 
 
 def test_the_public_names_are_functions():
