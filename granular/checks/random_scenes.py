@@ -74,7 +74,8 @@ def random_scenes(count: int, *, seed: int) -> Iterator[RandomScene]:
         and branch lengths to the ends of their intervals; stress ratios mostly from 1e-3 to 1e3, some next to 1, some
         from 1e-10 to 1e10 or exactly 0; friction that lets every contact stick, lets some slide, is within 1e-1 to
         1e-14 of the onset of sliding, or is zero, tiny or huge; a tension along one axis; spheroids with aspect ratios
-        from 1e-3 to 1e3 and within 1e-1 to 1e-16 of 1; gradations; and several features at once of 1e-12 to 1e-2 each.
+        from 1e-3 to 1e3 and within 1e-1 to 1e-16 of 1; gradations; and features of 1e-14 to 1e-2, several at once or
+        beside an extreme one.
         Poisson's ratio is 0, 1/2 or tiny in half of them, and the hypothesis is static in a third where that is finite.
 
     Notes
@@ -86,9 +87,10 @@ def random_scenes(count: int, *, seed: int) -> Iterator[RandomScene]:
     >>> [scene.kind for scene in random_scenes(3, seed=1)]
     ['isotropic', 'packing', 'branches']
     """
+    names = tuple(KINDS)
     for number in range(1, count + 1):
         rng = random.Random(f"{seed} {number}")
-        kind = ORDER[(number - 1) % len(ORDER)]
+        kind = names[(number - 1) % len(names)]
         yield RandomScene(number=number, kind=kind, tables=KINDS[kind](rng))
 
 
@@ -232,13 +234,17 @@ def _friction_at_its_ends(rng: random.Random) -> Tables:
 def _opening(rng: random.Random) -> Tables:
     tables = _base(rng)
     _fabric(rng, tables)
-    size = 10 ** rng.uniform(1, 8)
-    pull = -size * (rng.random() if rng.random() < 0.6 else 10 ** rng.uniform(-15, 0))
-    across, along = (size, 1.9 * pull) if rng.random() < 0.5 else (0.45 * pull, size)
-    tables["stress"] = {"tensor": [[across, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, along]]}
+    _stretched(rng, tables, rng.random() if rng.random() < 0.6 else 10 ** rng.uniform(-15, 0))
     if rng.random() < 0.7:
         tables["grains"]["friction_coefficient"] = 10 ** rng.uniform(-2, 2)
     return tables
+
+
+def _stretched(rng: random.Random, tables: Tables, share: float) -> None:
+    """A tension along one axis; at a share of 1 the mean stress almost vanishes."""
+    size = 10 ** rng.uniform(1, 8)
+    across, along = (size, -1.9 * share * size) if rng.random() < 0.5 else (-0.45 * share * size, size)
+    tables["stress"] = {"tensor": [[across, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, along]]}
 
 
 def _shape(rng: random.Random) -> dict[str, Any]:
@@ -290,11 +296,11 @@ def _sizes(rng: random.Random, spreads: tuple[float, ...]) -> dict[str, Any]:
 
 
 def _small(rng: random.Random) -> float:
-    """Mostly from 1e-12 to 1e-2 of either sign; for a sixth an ordinary number, for a third none."""
+    """Mostly from 1e-14 to 1e-2 of either sign; for a sixth an ordinary number, for a third none."""
     kind = rng.randrange(6)
     if kind < 2:
         return 0.0
-    return rng.uniform(-0.5, 0.8) if kind == 2 else rng.choice((-1, 1)) * 10 ** rng.uniform(-12, -2)
+    return rng.uniform(-0.5, 0.8) if kind == 2 else _faint_number(rng)
 
 
 def _faint(rng: random.Random) -> Tables:
@@ -318,6 +324,44 @@ def _faint(rng: random.Random) -> Tables:
     return tables if relaxed else _perhaps_static(rng, tables)
 
 
+def _faint_beside_extreme(rng: random.Random) -> Tables:
+    """One feature to its end, and others that may be too weak to matter beside it."""
+    tables = _base(rng)
+    extreme = rng.choice((_normals, _branches, _ratio, _round_or_not, _hardly_pulled))
+    extreme(rng, tables)
+    if "shape" not in tables and "branches" not in tables and rng.random() < 0.7:
+        tables["branches"] = {"anisotropy": {"D33": _faint_number(rng)}}
+    if "contact_normals" not in tables["packing"] and rng.random() < 0.7:
+        tables["packing"]["contact_normals"] = {"D33": _faint_number(rng)}
+        if rng.random() < 0.5:
+            tables["packing"]["contact_normals"]["D3333"] = _faint_number(rng) / 3
+    if "shape" in tables:
+        _effects(tables, "packing", "deviation")
+    if extreme in (_normals, _branches):  # forces are almost equal where the stress makes up for the normals
+        d33 = _d33(tables)
+        tables["stress"]["ratio"] = (5 + 2 * d33) / (5 - d33) * (1 + _faint_number(rng))
+    if "shape" not in tables and rng.random() < 0.6:
+        onset = _onset(tables)
+        scale = onset if 0 < onset < math.inf else 1.0
+        tables["grains"]["friction_coefficient"] = scale * 10 ** rng.uniform(0, 10)
+    if "shape" not in tables and rng.random() < 0.3:
+        tables["gradation"] = _sizes(rng, NARROW)
+    return tables if "tensor" in tables["stress"] or "spin" in tables.get("shape", {}) else _perhaps_static(rng, tables)
+
+
+def _round_or_not(rng: random.Random, tables: Tables) -> None:
+    tables["shape"] = _shape(rng)
+
+
+def _hardly_pulled(rng: random.Random, tables: Tables) -> None:
+    """A tension along one axis that is a small part of the compression along the other."""
+    _stretched(rng, tables, 10 ** rng.uniform(-15, -3))
+
+
+def _faint_number(rng: random.Random) -> float:
+    return float(rng.choice((-1, 1)) * 10 ** rng.uniform(-14, -2))
+
+
 def _all_at_once(rng: random.Random) -> Tables:
     """Normals, branches, stress, friction and gradation together, none of them extreme."""
     tables = _base(rng)
@@ -334,9 +378,6 @@ KINDS: dict[str, Callable[[random.Random], Tables]] = {
     "sticking": _sticking, "sliding": _sliding, "next to sliding": _tangency,
     "friction at its ends": _friction_at_its_ends, "opening": _opening, "spheroids": _spheroids,
     "spheroids with forces": _spheroids_with_forces, "gradation": _graded, "faint": _faint,
-    "all at once": _all_at_once,
+    "faint beside extreme": _faint_beside_extreme, "all at once": _all_at_once,
 }
-"""Kinds of scenes."""
-
-ORDER = (*KINDS, "faint")
-"""Kinds as they are drawn, over and over; the one that leaving effects out is decided by comes twice."""
+"""Kinds of scenes, drawn in this order over and over."""

@@ -13,16 +13,17 @@ from granular.__main__ import run_command
 from granular.checks import choice_times, choices
 from granular.checks.choices import Choice, run_choices, statistics_of, summary
 from granular.checks.promises import ACCURACIES
-from granular.checks.random_scenes import ORDER, random_scenes
+from granular.checks.random_scenes import KINDS, random_scenes
 from granular.errors import OutputUnwritable, RouteOutOfDomain
 from granular.evaluation import Evaluation
+from granular.hypothesis import Hypothesis
 from granular.routes.catalogue import ROUTES
 from granular.scene import Scene
 
 COSTS = {"closed_form": 2.0, "axial": 6.0, "sphere": 40.0, "exact": 3.0, "certified": 3.0, "midpoint": 1.0}
 """Seconds that each route takes by the clock of these tests."""
 
-DRAWN = list(random_scenes(2 * len(ORDER), seed=3))
+DRAWN = list(random_scenes(2 * len(KINDS), seed=3))
 right = evaluation.evaluate
 
 
@@ -52,9 +53,10 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
 
 def test_every_accurate_route_is_timed(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
     """A route that could have been chosen is passed over, or one that is not accurate enough is the cheapest."""
-    some = [drawn for drawn in DRAWN if drawn.kind in ("isotropic", "packing", "sliding", "all at once")]
+    some = [drawn for drawn in DRAWN if drawn.kind in ("isotropic", "packing", "sliding", "all at once")
+            and drawn.scene.model.hypothesis is Hypothesis.KINEMATIC]  # ball arithmetic is slow for the other
     monkeypatch.setattr(choices, "random_scenes", lambda _count, *, seed: some)
-    made = list(choices.choices(len(some), seed=3, rounds=2))
+    made = list(choices.choices(len(some), seed=3, rounds=1))
     assert [(choice.drawn, choice.rtol) for choice in made] == [(drawn, rtol) for drawn in some for rtol in ACCURACIES]
     for choice in made:
         assert choice.kept and choice.chosen in choice.seconds
@@ -141,7 +143,7 @@ def test_a_poor_choice_is_found(clock: Clock, capsys: pytest.CaptureFixture[str]
     """A planner that always takes the slow route passes for a good one, or the file says something else."""
     monkeypatch.setitem(COSTS, "axial", 30.0)
     out = tmp_path / "choices.json"
-    assert run_choices(5, seed=3, json_out=out) == 0
+    assert run_choices(4, seed=3, json_out=out) == 0
     shown = capsys.readouterr()
     record = json.loads(out.read_text(encoding="utf-8"))
     assert record["all"]["worst"] == 10.0 and record["worst"][0]["chosen"] == "axial"
