@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
-SIZES = (4, 8, 12, 16, 20, 24, 28, 40, 56, 80)
+SIZES = (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48, 56, 64, 72, 80)
 
 
 def rule(size: int) -> tuple[list[float], list[float]]:

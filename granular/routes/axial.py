@@ -8,12 +8,15 @@ library; the twin for arrays is ``axial_array``.
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from operator import mul
+from typing import TYPE_CHECKING, Any
 
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import require_accuracy
+from granular.routes.arithmetic import FLOAT_ERROR, FRACTIONS, Arithmetic, arithmetic_for
 from granular.routes.axial_rules import POWERS, AxialRule, Axis, axial_rule, crowding, nodes_needed
-from granular.routes.rational import accurate_sum, fractions_of, rounded
+from granular.routes.fineness import FULL, Fineness, amplification, fineness_for
+from granular.routes.gauss_rule import gauss_rule
 from granular.routes.result import RouteResult, Six
 
 if TYPE_CHECKING:
@@ -30,14 +33,13 @@ RELATIVE_ERROR = 4 * 2.0**-52
 """Bound for every component that is not subnormal [-]. On 40,000 random and boundary fabrics against ball arithmetic
 the worst was 1.8 * 2**-52, which is 2.9 units in the last place (kinematic), and 1.5 * 2**-52, 2.4 units (static)."""
 
-
 KINETIC_ERROR = 8 * 2.0**-52
 """The same with contact forces, and for spheroids [-]. ``granular check --random 10000`` finds 1.2e-15 at the worst, or
 5.3 * 2**-52, over random and boundary assemblies with densities of rank two and four and with sticking, sliding and
 opened contacts."""
 
-
-def relative_error(fabric: AxialFabric, loading: Loading | None = None) -> float:
+def relative_error(fabric: AxialFabric, loading: Loading | None = None, *, hypothesis: Hypothesis | None = None,
+                   rtol: float | None = None) -> float:
     """Declare a bound for the worst of the six components.
 
     Parameters
@@ -46,13 +48,31 @@ def relative_error(fabric: AxialFabric, loading: Loading | None = None) -> float
         Contact normals and branches about axis 3 [-].
     loading : Loading or None
         Stress and friction, for contacts whose stiffness follows their force.
+    hypothesis : Hypothesis or None
+        Kinematic or static; needed with ``rtol``.
+    rtol : float or None
+        Relative accuracy wanted of every component [-]; from ``QUICK`` on the rule is as coarse as it allows.
 
     Returns
     -------
     float
         The bound, relative to that component [-].
+
+    Notes
+    -----
+    Accuracy: a bound. Source: :func:`granular.routes.gauss_rule.gauss_rule`,
+    :func:`granular.routes.fineness.fineness_for`.
     """
-    return RELATIVE_ERROR if loading is None and fabric.collinear else KINETIC_ERROR
+    if hypothesis is None or (fineness := fineness_for(rtol, fabric, hypothesis)) is FULL:
+        return RELATIVE_ERROR if loading is None and fabric.collinear else KINETIC_ERROR
+    amplified = amplification(fabric, hypothesis)
+    if loading is not None or not fabric.collinear:
+        from granular.routes.contact_rule import suitable_contacts
+
+        return amplified * suitable_contacts(fabric, loading, hypothesis, fineness).error + FLOAT_ERROR
+    if hypothesis is Hypothesis.KINEMATIC:
+        return FLOAT_ERROR
+    return amplified * _branch_rule(fabric, fineness)[1] + FLOAT_ERROR
 
 
 def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
@@ -70,7 +90,8 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     loading : Loading or None
         Stress and friction, for contacts whose stiffness follows their force; None for contacts of equal stiffness.
     rtol : float or None
-        Relative accuracy wanted of every component [-]; refused below the declared one.
+        Relative accuracy wanted of every component [-]; refused below the declared one. From ``QUICK`` on it is
+        served with as few nodes as it allows, in floats.
 
     Returns
     -------
@@ -99,21 +120,25 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
     >>> result.components[2:4], result.evaluations
     ((0.0, 0.0), 80)
     """
-    declared = relative_error(fabric, loading)
+    fineness, arithmetic = fineness_for(rtol, fabric, hypothesis), arithmetic_for(rtol)
+    declared = relative_error(fabric, loading, hypothesis=hypothesis, rtol=rtol)
     require_accuracy(NAME, declared, rtol)
     if loading is not None or not fabric.collinear:
         from granular.routes.axial_kinetic import components_by_contacts
         from granular.routes.contact_rule import suitable_contacts
 
-        contacts = suitable_contacts(fabric, loading, hypothesis)
-        six = components_by_contacts(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, contacts=contacts)
+        contacts = suitable_contacts(fabric, loading, hypothesis, fineness)
+        six = components_by_contacts(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, contacts=contacts,
+                                     arithmetic=arithmetic)
         return RouteResult(six, declared, len(contacts))
-    rule = suitable_rule(fabric, hypothesis)
-    components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, rule=rule)
+    rule = suitable_rule(fabric, hypothesis, fineness=fineness)
+    components = components_by_rule(fabric, poisson_ratio=poisson_ratio, hypothesis=hypothesis, rule=rule,
+                                    arithmetic=arithmetic)
     return RouteResult(components, declared, len(rule))
 
 
-def nodes_of(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> int:
+def nodes_of(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None, *,
+             rtol: float | None = None) -> int:
     """Count the nodes that an evaluation takes, without evaluating.
 
     Parameters
@@ -124,6 +149,8 @@ def nodes_of(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | Non
         Kinematic or static.
     loading : Loading or None
         Stress and friction, for contacts whose stiffness follows their force.
+    rtol : float or None
+        Relative accuracy wanted of every component [-].
 
     Returns
     -------
@@ -136,13 +163,14 @@ def nodes_of(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | Non
         Static hypothesis with contacts that slide or have opened.
     """
     if loading is None and fabric.collinear:
-        return len(suitable_rule(fabric, hypothesis))
+        return len(suitable_rule(fabric, hypothesis, fineness=fineness_for(rtol, fabric, hypothesis)))
     from granular.routes.contact_rule import suitable_contacts
 
-    return len(suitable_contacts(fabric, loading, hypothesis))
+    return len(suitable_contacts(fabric, loading, hypothesis, fineness_for(rtol, fabric, hypothesis)))
 
 
-def suitable_rule(fabric: AxialFabric, hypothesis: Hypothesis, *, nodes: int | None = None) -> AxialRule:
+def suitable_rule(fabric: AxialFabric, hypothesis: Hypothesis, *, nodes: int | None = None,
+                  fineness: Fineness = FULL) -> AxialRule:
     """Choose the rule of a fabric: plain Gauss nodes, or nodes that crowd where branches are short.
 
     Parameters
@@ -152,7 +180,9 @@ def suitable_rule(fabric: AxialFabric, hypothesis: Hypothesis, *, nodes: int | N
     hypothesis : Hypothesis
         Kinematic or static.
     nodes : int or None
-        Number of nodes [-]; None takes as many as rounding asks for.
+        Number of nodes [-]; None takes as many as the fineness asks for.
+    fineness : Fineness
+        Wanted error of the moments; by default that of rounding.
 
     Returns
     -------
@@ -161,20 +191,33 @@ def suitable_rule(fabric: AxialFabric, hypothesis: Hypothesis, *, nodes: int | N
 
     Accuracy
     --------
-    With ``nodes=None`` the rule itself errs by less than 4e-18 of every moment.
+    With neither, the rule itself errs by less than 4e-18 of every moment.
 
     Source
     ------
     :func:`granular.routes.axial_rules.crowding`.
     """
+    coarse = nodes is None and fineness is not FULL
     if hypothesis is Hypothesis.KINEMATIC:
-        return axial_rule(Axis.EQUATOR, 0.0, nodes or KINEMATIC_NODES)
+        exactly = 6 if fabric.D3333 == 0 else 7
+        return axial_rule(Axis.EQUATOR, 0.0, exactly if coarse else nodes or KINEMATIC_NODES)
+    if coarse:
+        return _branch_rule(fabric, fineness)[0]
     axis, length = crowding(1 - fabric.Dr33 / 2, 1 + fabric.Dr33)
     return axial_rule(axis, length, nodes or nodes_needed(length))
 
 
+def _branch_rule(fabric: AxialFabric, fineness: Fineness) -> tuple[AxialRule, float]:
+    """The rule for a density over W^2, and its error."""
+    found = gauss_rule(((1 - fabric.Dr33 / 2, 1 + fabric.Dr33),), degree=3 if fabric.D3333 == 0 else 4,
+                       tolerance=fineness.error)
+    if found is None:  # the full rule covers every length of branches there is
+        return suitable_rule(fabric, Hypothesis.STATIC), 2.0**-57
+    return axial_rule(found.axis, found.length, found.nodes), found.error
+
+
 def components_by_rule(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesis,
-                       rule: AxialRule) -> Six:
+                       rule: AxialRule, arithmetic: Arithmetic = FRACTIONS) -> Six:
     """Evaluate the six components by a given rule, with no promise about its error.
 
     Parameters
@@ -187,6 +230,8 @@ def components_by_rule(fabric: AxialFabric, *, poisson_ratio: float, hypothesis:
         Kinematic or static.
     rule : AxialRule
         Nodes and weights on 0 <= x <= 1.
+    arithmetic : Arithmetic
+        What is done with the moments.
 
     Returns
     -------
@@ -196,7 +241,7 @@ def components_by_rule(fabric: AxialFabric, *, poisson_ratio: float, hypothesis:
     Accuracy
     --------
     The error of the rule, plus rounding of about one unit in the last place of each moment; what is done with the
-    moments is exact.
+    moments is exact in fractions.
 
     Source
     ------
@@ -204,17 +249,17 @@ def components_by_rule(fabric: AxialFabric, *, poisson_ratio: float, hypothesis:
     """
     from granular.generated import kinematic_constant, static_constant
 
-    d33, nu = Fraction(fabric.D33), Fraction(poisson_ratio)
-    averages = _averages(fabric, hypothesis, rule)
-    density = fabric.density_coefficients()
-    p0, p1, p2 = (sum((e * averages[j + k] for j, e in enumerate(density)), Fraction(0)) for k in range(3))
-    # The moments are the only rounded numbers here.
+    d33, nu = arithmetic.numbers(fabric.D33, poisson_ratio)
+    averages = _averages(fabric, hypothesis, rule, arithmetic)
+    density = arithmetic.numbers(*fabric.density_coefficients())
+    p0, p1, p2 = (sum((e * averages[j + k] for j, e in enumerate(density)), arithmetic.number(0)) for k in range(3))
+    # in fractions the moments are the only rounded numbers here
     if hypothesis is Hypothesis.KINEMATIC:
-        return rounded(kinematic_constant.stiffness_from_moments(*fractions_of(p0, p1, p2, nu)))
-    return rounded(static_constant.stiffness_from_moments(*fractions_of(p0, p1, p2, d33, nu)))
+        return arithmetic.finished(kinematic_constant.stiffness_from_moments(p0, p1, p2, nu))
+    return arithmetic.finished(static_constant.stiffness_from_moments(p0, p1, p2, d33, nu))
 
 
-def _averages(fabric: AxialFabric, hypothesis: Hypothesis, rule: AxialRule) -> list[Fraction]:
+def _averages(fabric: AxialFabric, hypothesis: Hypothesis, rule: AxialRule, arithmetic: Arithmetic) -> list[Any]:
     """<s^(4-m) x^(2m) W^2>, or the same with W^-2, for m = 0 ... 4."""
     w0, w0_rest = _split(1 - Fraction(fabric.Dr33) / 2)
     w1, w1_rest = _split(1 + Fraction(fabric.Dr33))
@@ -222,7 +267,7 @@ def _averages(fabric: AxialFabric, hypothesis: Hypothesis, rule: AxialRule) -> l
     branch = [w0 * s + (w1 * x2 + (w0_rest * s + w1_rest * x2))
               for s, x2 in zip(rule.sine_squared, rule.cosine_squared, strict=True)]
     weight = [w * w for w in branch] if hypothesis is Hypothesis.KINEMATIC else [1 / (w * w) for w in branch]
-    return [accurate_sum(list(map(float.__mul__, weight, rule.columns[m]))) for m in range(POWERS)]
+    return [arithmetic.total(list(map(mul, weight, rule.columns[m]))) for m in range(POWERS)]
 
 
 def _split(exact: Fraction) -> tuple[float, float]:

@@ -14,18 +14,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from granular.hypothesis import Hypothesis
-from granular.routes.contact_rule import (
-    EQUATOR,
-    EQUATOR_INVERSE,
-    EQUATOR_SLIP,
-    POLE,
-    POLE_INVERSE,
-    POLE_SLIP,
-    plain_rule,
-)
 from granular.routes.log_tangent import TANGENT, TANGENT_INVERSE
 from granular.routes.log_tangent_array import ENTRIES, beside, between, directions, sticking
+from granular.routes.plain_rule import plain_rule
 from granular.routes.slip_geometry_array import Geometry, forces, slip_geometry
+from granular.routes.windows import EQUATOR, EQUATOR_INVERSE, EQUATOR_SLIP, POLE, POLE_INVERSE, POLE_SLIP
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -16,6 +16,7 @@ from enum import Enum
 from functools import lru_cache
 
 from granular.generated.gauss_legendre import NODES, WEIGHTS
+from granular.routes.meridian import Directions
 
 POWERS = 5
 """Columns of a rule: s^(4-m) x^(2m), m = 0 ... 4, the products of a density and a moment that are quadratic each."""
@@ -44,17 +45,25 @@ class AxialRule:
     ----------
     sine_squared, cosine_squared : tuple of float, (n,)
         s = 1 - x^2 and x^2 at the nodes [-], each with full relative accuracy.
+    measure : tuple of float, (n,)
+        Weights [-].
     columns : tuple of tuple of float, (5, n)
         Weight times s^(4-m) x^(2m), m = 0 ... 4 [-].
     """
 
     sine_squared: tuple[float, ...]
     cosine_squared: tuple[float, ...]
+    measure: tuple[float, ...]
     columns: tuple[tuple[float, ...], ...]
 
     def __len__(self) -> int:
         """Count the nodes."""
         return len(self.sine_squared)
+
+    @property
+    def directions(self) -> Directions:
+        """The nodes with their weights alone."""
+        return Directions(self.sine_squared, self.cosine_squared, self.measure)
 
 
 def crowding(w0: float, w1: float) -> tuple[Axis, float]:
@@ -179,10 +188,10 @@ def axial_rule(axis: Axis, length: float, nodes: int) -> AxialRule:
                 sine_squared = (2 * y / (one + y * y)) ** 2
                 per_slope = 4 * y / (one + y * y) ** 2
             measure = Decimal(weight) * slope * per_slope
-            rows.append((float(sine_squared), float(cosine_squared), *(
+            rows.append((float(sine_squared), float(cosine_squared), float(measure), *(
                 float(measure * sine_squared ** (POWERS - 1 - m) * cosine_squared**m) for m in range(POWERS))))
-    sines, cosines, *columns = zip(*rows, strict=True)
-    return AxialRule(sines, cosines, tuple(columns))
+    sines, cosines, measures, *columns = zip(*rows, strict=True)
+    return AxialRule(sines, cosines, measures, tuple(columns))
 
 
 def _sinh_map(length: Decimal, t: Decimal) -> tuple[Decimal, Decimal]:

@@ -91,18 +91,19 @@ class Route:
 
 
 def _closed_form(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
-                 _rtol: float | None) -> Promise | None:
+                 rtol: float | None) -> Promise | None:
     from granular.routes.closed_form import covers, relative_error
 
     if not covers(fabric, hypothesis, loading):
         return None
-    return Promise(relative_error(fabric, hypothesis, loading), 0)
+    return Promise(relative_error(fabric, hypothesis, loading, rtol=rtol), 0)
 
 
-def _axial(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None, _rtol: float | None) -> Promise:
+def _axial(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None, rtol: float | None) -> Promise:
     from granular.routes.axial import nodes_of, relative_error
 
-    return Promise(relative_error(fabric, loading), nodes_of(fabric, hypothesis, loading))
+    return Promise(relative_error(fabric, loading, hypothesis=hypothesis, rtol=rtol),
+                   nodes_of(fabric, hypothesis, loading, rtol=rtol))
 
 
 def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,

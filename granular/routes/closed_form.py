@@ -1,21 +1,20 @@
-"""The emitted closed forms, in exact rational arithmetic: no integrand is evaluated, nothing cancels.
+"""The emitted closed forms: no integrand is evaluated, and in exact rational arithmetic nothing cancels.
 
 With contact forces the moments are exact Gegenbauer series in the contrast of the forces at pole and equator, for
 1/9 <= c/a <= 9. Elementary terms plus one Legendre integral, and the hypergeometric function, cover the rest of the
 domain and partial slip, but lose digits in doubles: there they are identities, which ``certified`` evaluates in balls.
 
-One evaluation takes about 0.1 ms. For many evaluations see :func:`granular.axial_stiffness`, which runs the same
-emitted arithmetic on arrays of floats.
+Where an accuracy is wanted that floats keep, they are evaluated in floats, some fifty times as fast. For many
+evaluations see :func:`granular.axial_stiffness`, which runs the same emitted arithmetic on arrays of floats.
 """
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from granular.errors import RouteOutOfDomain
 from granular.hypothesis import Hypothesis
-from granular.routes.rational import fractions_of, rounded
+from granular.routes.arithmetic import FLOAT_ERROR, FLOATS, Arithmetic, arithmetic_for
 from granular.routes.result import RouteResult, Six
 
 if TYPE_CHECKING:
@@ -66,8 +65,14 @@ def covers(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None 
     return pole <= LARGEST_RATIO * equator and equator <= LARGEST_RATIO * pole
 
 
-def relative_error(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> float:
-    """Declared bound for the worst of the six components, relative to that component [-]."""
+def relative_error(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None, *,
+                   rtol: float | None = None) -> float:
+    """Declared bound for the worst of the six components, relative to that component [-].
+
+    A wanted accuracy of ``QUICK`` or looser is served in floats.
+    """
+    if arithmetic_for(rtol) is FLOATS:
+        return FLOAT_ERROR
     if not fabric.collinear:
         return SPHEROID_ERROR if fabric.D3333 == 0 else RANK_FOUR_FACTOR * SPHEROID_ERROR
     if loading is None:
@@ -136,41 +141,43 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
             f"route = closed_form for Dr33 = {fabric.Dr33!r}",
             allowed="the static closed form serves -16/19 <= Dr33 <= 16/11",
             remedy='Use route = "axial", which serves every admissible fabric.')
-    bound = relative_error(fabric, hypothesis, loading)
+    bound, arithmetic = relative_error(fabric, hypothesis, loading, rtol=rtol), arithmetic_for(rtol)
     if rtol is not None and rtol < bound:
         raise RouteOutOfDomain(f"rtol = {rtol!r}", allowed=f"route closed_form promises {bound:.1e} here",
                                remedy='Ask for less, or use route = "certified".')
     if loading is not None:
-        return RouteResult(_kinetic(fabric, poisson_ratio, hypothesis, loading), bound, 0)
+        return RouteResult(_kinetic(fabric, poisson_ratio, hypothesis, loading, arithmetic), bound, 0)
     if not fabric.collinear:
-        return RouteResult(_spheroids(fabric, poisson_ratio), bound, 0)
+        return RouteResult(_spheroids(fabric, poisson_ratio, arithmetic), bound, 0)
     compute = _kinematic if hypothesis is Hypothesis.KINEMATIC else _static
-    return RouteResult(compute(fabric, poisson_ratio), bound, 0)
+    return RouteResult(compute(fabric, poisson_ratio, arithmetic), bound, 0)
 
 
-def _kinematic(fabric: AxialFabric, poisson_ratio: float) -> Six:
+def _kinematic(fabric: AxialFabric, poisson_ratio: float, arithmetic: Arithmetic) -> Six:
     from granular.generated.kinematic_constant import kinematic_constant
 
-    exact = fractions_of(fabric.D33, fabric.D3333, fabric.Dr33, poisson_ratio)
-    return rounded(kinematic_constant(*exact))
+    numbers = arithmetic.numbers(fabric.D33, fabric.D3333, fabric.Dr33, poisson_ratio)
+    return arithmetic.finished(kinematic_constant(*numbers))
 
 
-def _static(fabric: AxialFabric, poisson_ratio: float) -> Six:
+def _static(fabric: AxialFabric, poisson_ratio: float, arithmetic: Arithmetic) -> Six:
+    """Moments from the emitted series, in floats."""
     from granular.generated.static_constant import static_moments, stiffness_from_moments
 
     moments = static_moments(fabric.D33, fabric.D3333, fabric.Dr33)
-    return rounded(stiffness_from_moments(*fractions_of(*moments, fabric.D33, poisson_ratio)))
+    return arithmetic.finished(stiffness_from_moments(*arithmetic.numbers(*moments, fabric.D33, poisson_ratio)))
 
 
-def _spheroids(fabric: AxialFabric, poisson_ratio: float) -> Six:
-    """Moments from the emitted series, the rest in exact fractions."""
+def _spheroids(fabric: AxialFabric, poisson_ratio: float, arithmetic: Arithmetic) -> Six:
+    """Moments from the emitted series, in floats."""
     from granular.generated.spheroid import spheroid_moments
     from granular.routes.axial_kinetic import from_weights
 
-    normal = fractions_of(*spheroid_moments(fabric.D33, fabric.D3333, fabric.aspect_ratio))
-    nu = Fraction(poisson_ratio)
+    normal = arithmetic.numbers(*spheroid_moments(fabric.D33, fabric.D3333, fabric.aspect_ratio))
+    nu = arithmetic.number(poisson_ratio)
     shear = [(2 - 2 * nu) / (2 - nu) * moment for moment in normal]
-    return rounded(from_weights(fabric, normal, shear, [nu / (2 - nu) * moment for moment in normal[:2]]))
+    apart = [nu / (2 - nu) * moment for moment in normal[:2]]
+    return arithmetic.finished(from_weights(fabric, normal, shear, apart, arithmetic))
 
 
 def _covers_forces(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading) -> bool:
@@ -182,18 +189,20 @@ def _covers_forces(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading
     return not loading.slips(fabric.D33) or loading.friction == 0
 
 
-def _kinetic(fabric: AxialFabric, poisson_ratio: float, hypothesis: Hypothesis, loading: Loading) -> Six:
-    """Moments from the emitted series, the rest in exact fractions; without friction k_r is zero."""
+def _kinetic(fabric: AxialFabric, poisson_ratio: float, hypothesis: Hypothesis, loading: Loading,
+             arithmetic: Arithmetic) -> Six:
+    """Moments from the emitted series, in floats; without friction k_r is zero."""
     from granular.generated import kinematic_constant, kinetic, static_constant
 
     exact_a, exact_c = loading.coefficients(fabric.D33)
     a, c, d = float(exact_a), float(exact_c), float(exact_c - exact_a)
     if hypothesis is Hypothesis.STATIC:
         moments = kinetic.kinetic_static_moments(fabric.D33, fabric.D3333, a, c, d)
-        return rounded(static_constant.stiffness_from_moments(*fractions_of(*moments, fabric.D33, poisson_ratio)))
+        return arithmetic.finished(static_constant.stiffness_from_moments(
+            *arithmetic.numbers(*moments, fabric.D33, poisson_ratio)))
     moments = kinetic.kinetic_moments(fabric.D33, fabric.D3333, fabric.Dr33, a, c, d)
     if loading.friction == 0:
         from granular.generated.kinetic_components import stiffness_from_weights
 
-        return rounded(stiffness_from_weights(*fractions_of(*moments, 0, 0, 0, *moments[:2])))
-    return rounded(kinematic_constant.stiffness_from_moments(*fractions_of(*moments, poisson_ratio)))
+        return arithmetic.finished(stiffness_from_weights(*arithmetic.numbers(*moments, 0, 0, 0, *moments[:2])))
+    return arithmetic.finished(kinematic_constant.stiffness_from_moments(*arithmetic.numbers(*moments, poisson_ratio)))

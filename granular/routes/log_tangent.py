@@ -19,7 +19,8 @@ from collections.abc import Iterator
 from math import sqrt
 
 from granular.generated.mohr_circle import beside_node, between_node, sticking_node
-from granular.routes.log_tangent_tables import FIRST, STEP, STEPS, hyperbolic, one_sided, reached, start_after
+from granular.routes.fineness import FULL, Fineness
+from granular.routes.log_tangent_tables import first_node, hyperbolic, one_sided, reached, start_after
 
 TANGENT = 2.0**-40
 """Smallest scale r of the map beside a direction that is about to slide. A smaller one leaves r^(5/3) = 1e-20 of a
@@ -34,9 +35,9 @@ Node = tuple[float, float, float, float]
 """t = tan(beta), measure d(sigma), chi and gamma [-]."""
 
 
-def node_range(first: float, last: float) -> range:
+def node_range(first: float, last: float, steps: int = FULL.steps) -> range:
     """Numbers of the nodes between two values of w."""
-    return range(math.floor(first * STEPS - 0.5), math.ceil(last * STEPS - 0.5) + 1)
+    return range(math.floor(first * steps - 0.5), math.ceil(last * steps - 0.5) + 1)
 
 
 def half_sinh(sigma: float) -> float:
@@ -50,7 +51,7 @@ def singular_sine(distance: float) -> float:
 
 
 def sticking(center: float, low: float, high: float, *, r: float, delta: float, kappa: float,
-             singular: float) -> Iterator[Node]:
+             singular: float, fineness: Fineness = FULL) -> Iterator[Node]:
     """Nodes over all directions when every contact sticks: sinh(sigma/2) = r sinh(v).
 
     Parameters
@@ -65,6 +66,8 @@ def sticking(center: float, low: float, high: float, *, r: float, delta: float, 
         1 - kappa, and kappa [-].
     singular : float
         Largest distance of a singularity of forces, directions or branch lengths from the center, in sigma [-].
+    fineness : Fineness
+        How close the nodes are.
 
     Yields
     ------
@@ -74,14 +77,15 @@ def sticking(center: float, low: float, high: float, *, r: float, delta: float, 
     middle = math.log(center)
     start = start_after(math.asinh(singular_sine(singular) / r))
     first, last = (reached(math.asinh(half_sinh(end - middle) / r), start) for end in (low, high))
-    table = hyperbolic(start)
-    for j in node_range(first, last):
+    table, step = hyperbolic(start, fineness.steps), 1 / fineness.steps
+    for j in node_range(first, last, fineness.steps):
         sine, cosine = table[j if j >= 0 else -1 - j]
         growth, rate, chi, loss = sticking_node(sine, cosine, r, delta, kappa)
-        yield center * growth if j >= 0 else center / growth, rate * STEP, chi, loss
+        yield center * growth if j >= 0 else center / growth, rate * step, chi, loss
 
 
-def beside(edge: float, end: float, *, rho: float, outward: bool, singular: float) -> Iterator[Node]:
+def beside(edge: float, end: float, *, rho: float, outward: bool, singular: float,
+           fineness: Fineness = FULL) -> Iterator[Node]:
     """Nodes of the sticking directions beside a sliding range: sinh(sigma/2) = rho (1 + P(v)).
 
     Parameters
@@ -96,6 +100,8 @@ def beside(edge: float, end: float, *, rho: float, outward: bool, singular: floa
         True for directions beyond the edge (towards the equator), False for those before it (towards the pole).
     singular : float
         How far beyond the edge the last singularity lies, in sigma [-], >= 0.
+    fineness : Fineness
+        How close the nodes are.
 
     Yields
     ------
@@ -105,14 +111,14 @@ def beside(edge: float, end: float, *, rho: float, outward: bool, singular: floa
     psi, distance = 2 * math.asinh(rho), abs(end - math.log(edge))
     start = start_after(math.asinh(singular_sine(psi + singular) / rho))
     last = reached(math.acosh(max(1.0, half_sinh(psi + distance) / rho)), start)
-    count = math.ceil((last - FIRST) * STEPS) + 1
-    for grown, pace in one_sided(start)[:count]:
+    count, step = math.ceil(last * fineness.steps) - first_node(fineness) + 1, 1 / fineness.steps
+    for grown, pace in one_sided(start, fineness)[:count]:
         p = grown * grown / (2 * (1 + grown))
         growth, rate, chi, loss = beside_node(p, p * (2 + grown) / (1 + grown) * pace, rho)
-        yield edge * growth if outward else edge / growth, rate * STEP, chi, loss
+        yield edge * growth if outward else edge / growth, rate * step, chi, loss
 
 
-def between(first: float, last: float, *, singular: float) -> Iterator[Node]:
+def between(first: float, last: float, *, singular: float, fineness: Fineness = FULL) -> Iterator[Node]:
     """Nodes of a range in which every contact slides: sinh(sigma/2) = rho S/sqrt(1 + rho^2 + S^2), S = sinh(v).
 
     Parameters
@@ -121,6 +127,8 @@ def between(first: float, last: float, *, singular: float) -> Iterator[Node]:
         tan(beta) at its ends [-].
     singular : float
         Largest distance of a singularity of forces and directions from the middle, in sigma [-].
+    fineness : Fineness
+        How close the nodes are.
 
     Yields
     ------
@@ -132,9 +140,9 @@ def between(first: float, last: float, *, singular: float) -> Iterator[Node]:
     center, rho = sqrt(first) * sqrt(last), (edge - 1) * (edge + 1) / (2 * edge)
     reach = sqrt(1 + rho * rho)
     start = start_after(math.asinh(1.5 * singular_sine(min(singular, 2 * math.log(edge)))))
-    far = reached(math.log(reach) + 21.5, start)
-    table = hyperbolic(start)
-    for j in node_range(-far, far):
+    far = reached(math.log(reach) + 21.5 * fineness.share, start)
+    table, step = hyperbolic(start, fineness.steps), 1 / fineness.steps
+    for j in node_range(-far, far, fineness.steps):
         sine, cosine = table[j if j >= 0 else -1 - j]
         growth, rate = between_node(sine, cosine, rho, reach)
-        yield center * growth if j >= 0 else center / growth, rate * STEP, 0.0, 1.0
+        yield center * growth if j >= 0 else center / growth, rate * step, 0.0, 1.0

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from granular.routes.contact_rule import EQUATOR, POLE
 from granular.routes.log_tangent import WIDEST
-from granular.routes.log_tangent_tables import FIRST, ROOM, STEADY, STEP, STEPS, hyperbolic, one_sided
+from granular.routes.log_tangent_tables import ROOM, STEADY, STEP, STEPS, first_node, hyperbolic, one_sided
 from granular.routes.slip_geometry_array import Geometry
+from granular.routes.windows import EQUATOR, POLE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -162,7 +162,7 @@ def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array,
         edges = at[block, None]
         return (edges * growth if outward else edges / growth), rate * STEP, chi, gamma
 
-    return Arc(index, np.zeros(index.shape, dtype=np.intp), np.ceil((last - FIRST) * STEPS).astype(np.intp), nodes)
+    return Arc(index, np.zeros(index.shape, dtype=np.intp), np.ceil(last * STEPS).astype(np.intp) - first_node(), nodes)
 
 
 def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, places: Array, *,

@@ -14,12 +14,17 @@ from decimal import Decimal, localcontext
 from fractions import Fraction
 from math import cbrt, sqrt
 
-from granular.routes.log_tangent import half_sinh, node_range
-from granular.routes.log_tangent_tables import STEADY, STEP, exponential, hyperbolic
-from granular.routes.slip_geometry import DIGITS, decimal
+from granular.routes.decimals import DIGITS, decimal
+from granular.routes.fineness import FULL, Fineness
+from granular.routes.log_tangent import half_sinh, node_range, singular_sine
+from granular.routes.log_tangent_tables import first_node, hyperbolic, one_sided, reached, start_after
 
 Opened = tuple[float, float, float, float, float]
 """u, measure d(sigma), chi, gamma, and the normal force times (1 + u^2)/b [-]."""
+
+
+NEAREST = 42.0
+"""How near nodes come to the end of the sticking contacts, -v, when nothing but rounding may be left: e^v is left."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +83,8 @@ def opened_range(pressed: Fraction, pulled: Fraction, friction: float | None) ->
         return OpenedRange(float(edge), float(edge + gap), float(gap), float(2 * half))
 
 
-def closed_contacts(where: OpenedRange, end: float) -> Iterator[Opened]:
+def closed_contacts(where: OpenedRange, end: float, places: list[float],
+                    fineness: Fineness = FULL) -> Iterator[Opened]:
     """Nodes over the contacts that are closed, the sliding ones included.
 
     Parameters
@@ -87,43 +93,56 @@ def closed_contacts(where: OpenedRange, end: float) -> Iterator[Opened]:
         From :func:`opened_range`.
     end : float
         log(u) up to which directions matter [-].
+    places : list of float
+        log(u) of the singularities of directions and branches [-].
+    fineness : Fineness
+        How close the nodes are.
 
     Yields
     ------
     Opened
         u, measure, chi, gamma, force [-].
     """
-    yield from _sticking(where, end)
+    yield from _sticking(where, end, max(places), fineness)
     if where.gap > 0:
-        yield from _sliding(where)
+        yield from _sliding(where, places, fineness)
 
 
-def _sticking(where: OpenedRange, end: float) -> Iterator[Opened]:
-    """Sticking contacts by u = u1 (1 + e^w)^2, analytic up to Im(w) = pi/4, zeros of force and slip on Im(w) = pi."""
-    u0, u1 = where.edge, where.slip_edge
-    farthest = max(end, math.log(u1) + 41.0)
-    narrow = math.log(where.gap / u1) if 0 < where.gap < u1 else 0.0
-    for j in node_range(narrow - 42.0, (farthest - math.log(u1)) / 2):
-        grown = exponential(j)
+def _sticking(where: OpenedRange, end: float, singular: float, fineness: Fineness) -> Iterator[Opened]:
+    """Sticking contacts by u = u1 (1 + e^v)^2, analytic up to Im(v) = pi/4, zeros of force and slip on Im(v) = pi.
+
+    Nodes hurry below the zero of the force, whose distance from u1 decides where that is, and beyond the singularities.
+    """
+    u0, u1, step = where.edge, where.slip_edge, 1 / fineness.steps
+    far = (max(end, math.log(u1) + 41.0 * fineness.share) - math.log(u1)) / 2
+    narrow = math.floor(math.log(where.gap / u1)) if 0 < where.gap < u1 else 0
+    start = start_after(max(0.0, (singular - math.log(u1)) / 2) - narrow)
+    last = reached(far - narrow, start)
+    count = math.ceil(last * fineness.steps) - first_node(fineness, NEAREST) + 1
+    scale = math.exp(narrow)
+    for unscaled, pace in one_sided(start, fineness, NEAREST)[:count]:
+        grown = scale * unscaled
         beyond = u1 * grown * (2 + grown)
         u = u1 + beyond
         above = beyond + where.gap
         force = above * (u + u0)
         left = beyond * (u + u0 * u0 / u1)
         chi = cbrt(left / force) if where.gap else 1.0
-        yield u, 2 * STEP * grown / (1 + grown), chi, where.rate * u / force / (1 + chi + chi * chi), force
+        yield u, 2 * step * pace * grown / (1 + grown), chi, where.rate * u / force / (1 + chi + chi * chi), force
 
 
-def _sliding(where: OpenedRange) -> Iterator[Opened]:
+def _sliding(where: OpenedRange, places: list[float], fineness: Fineness) -> Iterator[Opened]:
     """From u0 to u1, by the map of a sliding range; the distance from u0 is formed from that of the mapped ends."""
-    u0 = where.edge
+    u0, middle = where.edge, (math.log(where.edge) + math.log(where.slip_edge)) / 2
     width = math.log1p(where.gap / u0) / 2  # sigma reaches from -width to width
     rho = half_sinh(width)
     across = sqrt(1 + rho * rho)
     reach = sqrt(1 + rho * rho)
-    far = math.log(reach) + 31.0
-    table = hyperbolic(STEADY)
-    for j in node_range(-far, far):
+    singular = max(abs(place - middle) for place in places)
+    start = start_after(math.asinh(1.5 * singular_sine(min(singular, 2 * width))))
+    far = reached(math.log(reach) + 31.0 * fineness.share, start)
+    table, step = hyperbolic(start, fineness.steps), 1 / fineness.steps
+    for j in node_range(-far, far, fineness.steps):
         sine, cosine = table[j if j >= 0 else -1 - j]
         sine = sine if j >= 0 else -sine
         under = sqrt(reach * reach + sine * sine)
@@ -132,4 +151,4 @@ def _sliding(where: OpenedRange) -> Iterator[Opened]:
         half = (q * across + rho * root if q > 0 else (rho * reach / under) ** 2 / (rho * root - q * across))
         above = u0 * 2 * half * (half + sqrt(1 + half * half))
         u = u0 + above
-        yield u, 2 * STEP * rho * cosine / root * (reach / under) ** 2 / under, 0.0, 1.0, above * (u + u0)
+        yield u, 2 * step * rho * cosine / root * (reach / under) ** 2 / under, 0.0, 1.0, above * (u + u0)

@@ -10,7 +10,7 @@ from math import sqrt
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
-from granular.routes.slip_geometry import DIGITS, decimal
+from granular.routes.decimals import DIGITS, decimal
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric

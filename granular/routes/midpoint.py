@@ -102,4 +102,4 @@ def _midpoint_rule(panels: int) -> AxialRule:
     nodes = _panels(panels)
     rows = list(zip(nodes.measure, nodes.sine_squared, nodes.cosine_squared, strict=True))
     columns = tuple(tuple(w * s ** (POWERS - 1 - m) * y**m for w, s, y in rows) for m in range(POWERS))
-    return AxialRule(nodes.sine_squared, nodes.cosine_squared, columns)
+    return AxialRule(nodes.sine_squared, nodes.cosine_squared, nodes.measure, columns)

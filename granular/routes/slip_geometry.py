@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from decimal import Context, Decimal, localcontext
+from decimal import Decimal, localcontext
 from fractions import Fraction
 
-DIGITS = Context(prec=50)
-"""Working precision; its exponents reach far beyond those of doubles, so that nothing overflows on the way."""
+from granular.routes.decimals import DIGITS, decimal
 
 NEGLIGIBLE = Decimal(2) ** -160
 """Directions whose tangent, or its inverse, is smaller carry less than 2^-160 of any moment of the contacts."""
@@ -88,11 +87,6 @@ def slip_geometry(a: Fraction, c: Fraction, friction: float) -> Sticking | Slidi
         spread = kappa + decimal(ratio - 1).sqrt()
         rho = min((-left / 2).sqrt(), Decimal(2) ** 500)
         return Sliding(_pole(center / spread), _equator(center * spread), float(rho))
-
-
-def decimal(value: Fraction) -> Decimal:
-    """Turn a fraction into a decimal of the current context [-]."""
-    return Decimal(value.numerator) / Decimal(value.denominator)
 
 
 def _pole(edge: Decimal) -> float | None:
