@@ -127,13 +127,23 @@ def check(
 
 @app.command()
 def cost(
-    out: Annotated[Path | None, typer.Option("--out", metavar="FILE", help="Write the measured data as JSON.")] = None,
+    scene: Annotated[list[str] | None, typer.Option(
+        "--scene", metavar="NAME", help="Measure this scene only; may be repeated.")] = None,
+    route: Annotated[list[str] | None, typer.Option(
+        "--route", metavar="NAME", help="Measure this route only; may be repeated.")] = None,
     rounds: Annotated[str, typer.Option("--rounds", metavar="N", help="How often everything is timed.")] = "15",
+    out: Annotated[Path | None, typer.Option(
+        "--out", metavar="FILE", help="Write the measured data as JSON, after every scene.")] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Measure only what FILE does not hold yet.")] = False,
+    names: Annotated[bool, typer.Option("--list", help="Name the scenes and routes and stop.")] = False,
 ) -> None:
     """Measure accuracy against time for every route."""
-    from granular.cost import run_cost
+    from granular.cost import list_of_names, run_cost
 
-    raise typer.Exit(run_cost(out=out, rounds=_rounds(rounds)))
+    if names:
+        _print(list_of_names())
+        return
+    raise typer.Exit(run_cost(out=out, rounds=_rounds(rounds), scenes=scene or (), routes=route or (), resume=resume))
 
 
 @app.command()
