@@ -73,8 +73,16 @@ class Outcome:
 
     @property
     def kept(self) -> bool:
-        """Whether the true error is at most what was wanted and what was stated; a refusal breaks no promise."""
-        return bool(self.refusal) or self.error - self.doubt <= min(self.rtol, self.bound)
+        """Whether the true error is at most the stated one, and that at most what was wanted.
+
+        A result that states more than was wanted should have been a refusal, which breaks no promise.
+        """
+        return bool(self.refusal) or (self.error - self.doubt <= min(self.rtol, self.bound) and not self.unsure)
+
+    @property
+    def unsure(self) -> bool:
+        """Whether the result states a larger error than was wanted."""
+        return not self.refusal and self.bound > self.rtol
 
     def as_json(self) -> dict[str, object]:
         """Everything, with the scene as the text of a scene file."""
@@ -90,8 +98,9 @@ class Group:
 
     Attributes
     ----------
-    count, refused, misses : int
-        Scenes, and how many of them were refused, and how many promises were broken [-].
+    count, refused, misses, unsure : int
+        Scenes, and how many of them were refused, how many promises were broken, and how many of these because the
+        result stated a larger error than was wanted [-].
     over_rtol, over_bound : float
         Worst true error over the wanted accuracy and over the stated error [-]; an error within the doubt of the true
         value counts as none of the second.
@@ -104,6 +113,7 @@ class Group:
     count: int = 0
     refused: int = 0
     misses: int = 0
+    unsure: int = 0
     over_rtol: float = 0.0
     over_bound: float = 0.0
     evaluations: int = 0
@@ -113,6 +123,7 @@ class Group:
         """Count an outcome."""
         self.count += 1
         self.misses += not outcome.kept
+        self.unsure += outcome.unsure
         if outcome.refusal:
             self.refused += 1
             return
@@ -125,7 +136,8 @@ class Group:
         """What the file says of the group."""
         served = self.count - self.refused
         return {"kind": kind, "rtol": rtol, "count": self.count, "refused": self.refused, "misses": self.misses,
-                "worst_error_over_rtol": _finite(self.over_rtol), "worst_error_over_bound": _finite(self.over_bound),
+                "stated_above_wanted": self.unsure, "worst_error_over_rtol": _finite(self.over_rtol),
+                "worst_error_over_bound": _finite(self.over_bound),
                 "mean_evaluations": self.evaluations / served if served else None,
                 "with_effects_left_out": self.with_less}
 
@@ -260,7 +272,8 @@ def run_promises(count: int, *, seed: int, json_out: Path | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 1 when a true error is above the wanted or the stated one, otherwise 0.
+        Exit code: 1 when a true error is above the wanted or the stated one, or a stated one above what was wanted,
+        otherwise 0.
 
     Raises
     ------

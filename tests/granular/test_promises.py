@@ -223,7 +223,8 @@ def test_a_wrong_zero_is_a_miss() -> None:
 
     assert not outcome(math.inf, bound=1e-3).kept and outcome(math.inf, bound=1e-3).as_json()["error"] is None
     assert not outcome(1e-5, bound=1e-6).kept and not outcome(math.nan, bound=1e-6).kept
-    assert outcome(3e-15, bound=2e-15, doubt=2e-15).kept
+    assert outcome(3e-15, bound=2e-15, doubt=2e-15).kept and outcome(1e-4, bound=1e-3).kept
+    assert not outcome(1e-4, bound=1.01e-3).kept  # states more than was wanted
 
 
 def test_the_command(capsys: pytest.CaptureFixture[str]) -> None:
