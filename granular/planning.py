@@ -12,7 +12,8 @@ from granular.fabric import AxialFabric
 from granular.fields import Number, chosen
 from granular.gradation import length_moments
 from granular.hypothesis import Hypothesis
-from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Promise, Route
+from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Route
+from granular.routes.result import Promise
 from granular.units import shown
 
 if TYPE_CHECKING:

@@ -14,6 +14,7 @@ from typing import Any
 
 from granular.routes.rational import accurate_sum, rounded
 from granular.routes.result import Six
+from granular.routes.work import Work
 
 QUICK = 1e-13
 """A wanted accuracy from here on is served in floats, with rules as coarse as it allows [-]."""
@@ -37,16 +38,23 @@ class Arithmetic:
         Adds doubles.
     finished : callable
         From six numbers to six doubles; refuses what a double cannot hold.
+    passes : int
+        How often ``total`` goes over its terms [-].
     """
 
     name: str
     number: Callable[[Any], Any]
     total: Callable[[list[float]], Any]
     finished: Callable[[Sequence[Any]], Six]
+    passes: int = 1
 
     def numbers(self, *values: Any) -> Any:
         """Several at once; typed ``Any`` because emitted functions are typed for floats."""
         return tuple(map(self.number, values))
+
+    def additions(self, terms: int) -> Work:
+        """What adding some terms takes: one less than there are, and in two passes the rest besides."""
+        return Work(self.passes * terms - (1 if self.passes == 1 else 0))
 
 
 def within_range(components: Sequence[float]) -> Six:
@@ -74,7 +82,8 @@ def within_range(components: Sequence[float]) -> Six:
     return rounded(components)
 
 
-FRACTIONS = Arithmetic(name="fractions", number=Fraction, total=accurate_sum, finished=rounded)
+FRACTIONS = Arithmetic(name="fractions", number=Fraction, total=accurate_sum, finished=rounded,
+                       passes=2)
 """Nothing is lost; the components are rounded once."""
 
 FLOATS = Arithmetic(name="floats", number=float, total=math.fsum, finished=within_range)

@@ -14,6 +14,7 @@ from granular.errors import ResultOutOfRange
 from granular.hypothesis import Hypothesis
 from granular.routes.arithmetic import FRACTIONS, Arithmetic
 from granular.routes.result import Six
+from granular.routes.work import Work
 from granular.spheroid import squared_equator
 
 if TYPE_CHECKING:
@@ -76,6 +77,43 @@ def components_by_contacts(fabric: AxialFabric, *, poisson_ratio: float, hypothe
     shear = [moment / lam0 for moment in v]
     apart = [(rest * moment + beyond) / lam0 for moment, beyond in zip(u, more, strict=True)]
     return arithmetic.finished(_from_flexibilities(fabric, contacts, u, shear, apart[:2], arithmetic))
+
+
+def work_by_contacts(fabric: AxialFabric, hypothesis: Hypothesis, contacts: ContactRule,
+                     arithmetic: Arithmetic) -> Work:
+    """Count what :func:`components_by_contacts` does.
+
+    Parameters
+    ----------
+    fabric : AxialFabric
+        Contact normals and branch lengths about axis 3 [-].
+    hypothesis : Hypothesis
+        Kinematic or static.
+    contacts : ContactRule
+        Directions, weights and contact stiffness.
+    arithmetic : Arithmetic
+        What is done with the moments.
+
+    Returns
+    -------
+    Work
+        Operations and functions.
+
+    Notes
+    -----
+    Accuracy: exact; a test counts the same with numbers that count. Source: the functions of this module.
+    """
+    nodes, slips = len(contacts), contacts.chi is not None
+    weight = contacts.directions.work_of_weight(fabric, hypothesis)
+    triples = 3 if slips else 1  # moments of the normal and shear stiffness, and of their difference
+    moments = (Work(6) * nodes + arithmetic.additions(nodes) * 3) * triples  # each weighted first
+    if hypothesis is Hypothesis.KINEMATIC:
+        ends = Work(40) if fabric.collinear else Work(55)
+        return weight + moments + ends + (Work(19) if fabric.free_spin else Work())
+    if fabric.collinear:
+        return weight + moments + Work(71)
+    balance = contacts.directions.work_of_balance(fabric) + Work(2) * nodes + arithmetic.additions(nodes) * 2
+    return weight + moments + balance + Work(73)
 
 
 def from_weights(fabric: AxialFabric, normal: Sequence[Any], shear: Sequence[Any], apart: Sequence[Any],

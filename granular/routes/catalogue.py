@@ -9,27 +9,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
+from granular.routes.result import Promise
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
     from granular.loading import Loading
     from granular.routes.result import RouteResult
-
-
-@dataclass(frozen=True, slots=True)
-class Promise:
-    """What a route would give.
-
-    Attributes
-    ----------
-    relative_error : float
-        Bound for the worst component, relative to that component [-]; infinite where none is promised.
-    evaluations : int
-        Directions in which the integrand would be evaluated [-].
-    """
-
-    relative_error: float
-    evaluations: int
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,18 +77,15 @@ class Route:
 
 def _closed_form(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
                  rtol: float | None) -> Promise | None:
-    from granular.routes.closed_form import covers, relative_error
+    from granular.routes.closed_form import covers, promise
 
-    if not covers(fabric, hypothesis, loading):
-        return None
-    return Promise(relative_error(fabric, hypothesis, loading, rtol=rtol), 0)
+    return promise(fabric, hypothesis, loading, rtol=rtol) if covers(fabric, hypothesis, loading) else None
 
 
 def _axial(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None, rtol: float | None) -> Promise:
-    from granular.routes.axial import nodes_of, relative_error
+    from granular.routes.axial import promise
 
-    return Promise(relative_error(fabric, loading, hypothesis=hypothesis, rtol=rtol),
-                   nodes_of(fabric, hypothesis, loading, rtol=rtol))
+    return promise(fabric, hypothesis, loading, rtol=rtol)
 
 
 def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
@@ -124,9 +106,10 @@ def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None
 def _exact(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
            _rtol: float | None) -> Promise | None:
     from granular.routes.accuracy import HALF_ULP
+    from granular.routes.exact import WORK
 
     rational = hypothesis is Hypothesis.KINEMATIC and loading is None and fabric.collinear
-    return Promise(HALF_ULP, 0) if rational else None
+    return Promise(HALF_ULP, 0, WORK) if rational else None
 
 
 def _certified(fabric: AxialFabric, _hypothesis: Hypothesis, loading: Loading | None,

@@ -17,6 +17,7 @@ from granular.routes.fineness import FULL, Fineness
 from granular.routes.gauss_rule import gauss_rule
 from granular.routes.meridian import Directions
 from granular.routes.windows import EQUATOR, POLE, place_of_forces, places_of_branches, window
+from granular.routes.work import NOTHING, Work
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
@@ -37,6 +38,8 @@ class ContactRule:
         (k_r/k_n)/lambda_0 and 1 minus that [-]; None where no contact slips.
     error : float
         Bound of the error of any average by this rule, relative to that average [-].
+    work : Work
+        What the nodes and the contacts there took.
     """
 
     directions: Directions
@@ -44,6 +47,7 @@ class ContactRule:
     chi: tuple[float, ...] | None = None
     gamma: tuple[float, ...] | None = None
     error: float = math.inf
+    work: Work = NOTHING
 
     def __len__(self) -> int:
         """Count the nodes."""
@@ -97,8 +101,9 @@ def suitable_contacts(fabric: AxialFabric, loading: Loading | None, hypothesis: 
     a, c = loading.coefficients(fabric.D33)
     normal = normal_stiffness(directions, float(a), float(c))
     if loading.friction == 0:
-        return ContactRule(directions, normal, (0.0,) * len(directions), (1.0,) * len(directions), error)
-    return ContactRule(directions, normal, error=error)
+        return ContactRule(directions, normal, (0.0,) * len(directions), (1.0,) * len(directions), error,
+                           NORMAL * len(directions))
+    return ContactRule(directions, normal, error=error, work=NORMAL * len(directions))
 
 
 def _smooth_directions(fabric: AxialFabric, loading: Loading | None, hypothesis: Hypothesis,
@@ -170,6 +175,10 @@ def contacts_at(rule: Directions, fabric: AxialFabric, loading: Loading) -> Cont
             for s, y, f in zip(rule.sine_squared, rule.cosine_squared, force, strict=True)]
     chi = tuple(cbrt(max(share, 0.0)) for share in left)
     return ContactRule(rule, normal, chi, tuple(1 - share for share in chi))
+
+
+NORMAL = Work(operations=3, functions=1)
+"""Of the normal stiffness at one node."""
 
 
 def normal_stiffness(rule: Directions, a: float, c: float) -> tuple[float, ...]:

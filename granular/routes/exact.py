@@ -14,12 +14,16 @@ from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import HALF_ULP, require_accuracy
 from granular.routes.rational import fractions_of, rounded
 from granular.routes.result import RouteResult
+from granular.routes.work import Work
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
     from granular.loading import Loading
 
 NAME = "exact"
+
+WORK = Work(103)
+"""What the emitted closed form takes, here of rational numbers."""
 
 
 def rational_components(fabric: AxialFabric, *, poisson_ratio: float,
@@ -119,4 +123,4 @@ def evaluate(fabric: AxialFabric, *, poisson_ratio: float, hypothesis: Hypothesi
                                "rational", remedy="Use the route closed_form or axial.")
     require_accuracy(NAME, HALF_ULP, rtol)
     components = rational_components(fabric, poisson_ratio=poisson_ratio, decimal=False)
-    return RouteResult(rounded(components), HALF_ULP, 0)
+    return RouteResult(rounded(components), HALF_ULP, 0, WORK)

@@ -21,6 +21,7 @@ from math import sqrt
 from granular.generated.mohr_circle import beside_node, between_node, sticking_node
 from granular.routes.fineness import FULL, Fineness
 from granular.routes.log_tangent_tables import first_node, hyperbolic, one_sided, reached, start_after
+from granular.routes.work import Work
 
 TANGENT = 2.0**-40
 """Smallest scale r of the map beside a direction that is about to slide. A smaller one leaves r^(5/3) = 1e-20 of a
@@ -33,6 +34,9 @@ WIDEST = 2.0**60
 
 Node = tuple[float, float, float, float]
 """t = tan(beta), measure d(sigma), chi and gamma [-]."""
+
+STICKING, BESIDE, BETWEEN = Work(22, 2), Work(42, 3), Work(19, 2)
+"""Of one node of each of the three maps."""
 
 
 def node_range(first: float, last: float, steps: int = FULL.steps) -> range:

@@ -18,6 +18,7 @@ from granular.routes.decimals import DIGITS, decimal
 from granular.routes.fineness import FULL, Fineness
 from granular.routes.log_tangent import half_sinh, node_range, singular_sine
 from granular.routes.log_tangent_tables import first_node, hyperbolic, one_sided, reached, start_after
+from granular.routes.work import Work
 
 Opened = tuple[float, float, float, float, float]
 """u, measure d(sigma), chi, gamma, and the normal force times (1 + u^2)/b [-]."""
@@ -108,6 +109,34 @@ def closed_contacts(where: OpenedRange, end: float, places: list[float],
         yield from _sliding(where, places, fineness)
 
 
+STICKING, STICKING_ALL, SLIDING, SLIDING_BEFORE = Work(21, 1), Work(12), Work(23, 3), Work(3)
+"""Of one node of each of the two maps, of the first without friction data, and what the second takes besides in the
+half towards the open contacts."""
+
+
+def work_of_closed(where: OpenedRange, nodes: list[Opened]) -> Work:
+    """Count what :func:`closed_contacts` did.
+
+    Parameters
+    ----------
+    where : OpenedRange
+        From :func:`opened_range`.
+    nodes : list of Opened
+        Its nodes.
+
+    Returns
+    -------
+    Work
+        Operations and functions.
+    """
+    if not where.gap:
+        return STICKING_ALL * len(nodes)
+    sliding = [u for u, _, chi, _, _ in nodes if chi == 0.0]
+    middle = math.sqrt(where.edge) * math.sqrt(where.slip_edge)
+    return (STICKING * (len(nodes) - len(sliding)) + SLIDING * len(sliding)
+            + SLIDING_BEFORE * sum(u < middle for u in sliding))
+
+
 def _sticking(where: OpenedRange, end: float, singular: float, fineness: Fineness) -> Iterator[Opened]:
     """Sticking contacts by u = u1 (1 + e^v)^2, analytic up to Im(v) = pi/4, zeros of force and slip on Im(v) = pi.
 
@@ -119,16 +148,19 @@ def _sticking(where: OpenedRange, end: float, singular: float, fineness: Finenes
     start = start_after(max(0.0, (singular - math.log(u1)) / 2) - narrow)
     last = reached(far - narrow, start)
     count = math.ceil(last * fineness.steps) - first_node(fineness, NEAREST) + 1
-    scale = math.exp(narrow)
+    scale, curved, measure = math.exp(narrow), u0 * u0 / u1, 2 * step
     for unscaled, pace in one_sided(start, fineness, NEAREST)[:count]:
         grown = scale * unscaled
         beyond = u1 * grown * (2 + grown)
         u = u1 + beyond
         above = beyond + where.gap
         force = above * (u + u0)
-        left = beyond * (u + u0 * u0 / u1)
-        chi = cbrt(left / force) if where.gap else 1.0
-        yield u, 2 * step * pace * grown / (1 + grown), chi, where.rate * u / force / (1 + chi + chi * chi), force
+        if not where.gap:
+            yield u, measure * pace * grown / (1 + grown), 1.0, 0.0, force
+            continue
+        left = beyond * (u + curved)
+        chi = cbrt(left / force)
+        yield u, measure * pace * grown / (1 + grown), chi, where.rate * u / force / (1 + chi + chi * chi), force
 
 
 def _sliding(where: OpenedRange, places: list[float], fineness: Fineness) -> Iterator[Opened]:
@@ -136,19 +168,19 @@ def _sliding(where: OpenedRange, places: list[float], fineness: Fineness) -> Ite
     u0, middle = where.edge, (math.log(where.edge) + math.log(where.slip_edge)) / 2
     width = math.log1p(where.gap / u0) / 2  # sigma reaches from -width to width
     rho = half_sinh(width)
-    across = sqrt(1 + rho * rho)
-    reach = sqrt(1 + rho * rho)
+    across = reach = math.sqrt(1 + rho * rho)
     singular = max(abs(place - middle) for place in places)
     start = start_after(math.asinh(1.5 * singular_sine(min(singular, 2 * width))))
     far = reached(math.log(reach) + 31.0 * fineness.share, start)
-    table, step = hyperbolic(start, fineness.steps), 1 / fineness.steps
+    table = hyperbolic(start, fineness.steps)
+    squared, both, twice, measure = reach * reach, rho * reach, u0 * 2, 2 / fineness.steps * rho
     for j in node_range(-far, far, fineness.steps):
         sine, cosine = table[j if j >= 0 else -1 - j]
         sine = sine if j >= 0 else -sine
-        under = sqrt(reach * reach + sine * sine)
+        under = sqrt(squared + sine * sine)
         q = rho * sine / under
         root = sqrt(1 + q * q)
-        half = (q * across + rho * root if q > 0 else (rho * reach / under) ** 2 / (rho * root - q * across))
-        above = u0 * 2 * half * (half + sqrt(1 + half * half))
+        half = (q * across + rho * root if q > 0 else (both / under) ** 2 / (rho * root - q * across))
+        above = twice * half * (half + sqrt(1 + half * half))
         u = u0 + above
-        yield u, 2 * step * rho * cosine / root * (reach / under) ** 2 / under, 0.0, 1.0, above * (u + u0)
+        yield u, measure * cosine / root * (reach / under) ** 2 / under, 0.0, 1.0, above * (u + u0)

@@ -7,13 +7,19 @@ from dataclasses import dataclass
 from decimal import Decimal, localcontext
 from fractions import Fraction
 from math import sqrt
+from operator import mul, truediv
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
 from granular.routes.decimals import DIGITS, decimal
+from granular.routes.work import Work
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
+
+
+LINEAR = Work(operations=7)
+"""Of a factor p s + q y at one node, with what rounding took from p and q."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,17 +48,24 @@ class Directions:
         rows = []
         for t, measure in nodes:
             if t <= 1:
-                y = 1 / (1 + t * t)
-                s = t * t * y
+                squared = t * t
+                y = 1 / (1 + squared)
+                s = squared * y
                 root = sqrt(y)
             else:
                 inverse = 1 / t
-                s = 1 / (1 + inverse * inverse)
-                y = inverse * inverse * s
+                squared = inverse * inverse
+                s = 1 / (1 + squared)
+                y = squared * s
                 root = inverse * sqrt(s)
             rows.append((s, y, measure * s * root))
         sines, cosines, measures = zip(*rows, strict=True)
         return cls(sines, cosines, measures)
+
+    def work_of_tangents(self) -> Work:
+        """What :meth:`of_tangents` took; tan(beta) > 1 where s > y, and such a node takes two operations more."""
+        far = sum(s > y for s, y in zip(self.sine_squared, self.cosine_squared, strict=True))
+        return Work(operations=6, functions=1) * len(self) + Work(operations=2) * far
 
     def density(self, fabric: AxialFabric) -> list[float]:
         """4 pi E at the nodes [-], as a sum of positive terms whatever the fabric.
@@ -83,21 +96,38 @@ class Directions:
         Q = s + r^2 y: 1/Q, which leaves the branch vector (n1, n2, r^2 n3), or Q/(s + r^4 y), the inverse square of
         its length; both over (2a)^2.
         """
-        density = map(float.__mul__, self.density(fabric), self.measure)
+        density = map(mul, self.density(fabric), self.measure)
         if not fabric.collinear:
             return self._spheroid_weight(fabric, hypothesis, density)
         branch = _linear(1 - Fraction(fabric.Dr33) / 2, 1 + Fraction(fabric.Dr33), self)
-        squares = map(float.__mul__, branch, branch)
-        combine = float.__mul__ if hypothesis is Hypothesis.KINEMATIC else float.__truediv__
+        squares = map(mul, branch, branch)
+        combine = mul if hypothesis is Hypothesis.KINEMATIC else truediv
         return list(map(combine, density, squares))
 
     def _spheroid_weight(self, fabric: AxialFabric, hypothesis: Hypothesis, density: Iterable[float]) -> list[float]:
         squared = Fraction(fabric.aspect_ratio) ** 2
         height = _linear(Fraction(1), squared, self)
         if hypothesis is Hypothesis.KINEMATIC:
-            return list(map(float.__truediv__, density, height))
+            return list(map(truediv, density, height))
         length = _linear(Fraction(1), squared**2, self)
         return [e * q / t for e, q, t in zip(density, height, length, strict=True)]
+
+    def work_of_weight(self, fabric: AxialFabric, hypothesis: Hypothesis) -> Work:
+        """What :meth:`weight` takes."""
+        if fabric.collinear:
+            share = LINEAR + Work(2)
+        else:
+            share = LINEAR + Work(1) if hypothesis is Hypothesis.KINEMATIC else LINEAR * 2 + Work(2)
+        return (self._work_of_density(fabric) + Work(1) + share) * len(self)
+
+    def _work_of_density(self, fabric: AxialFabric) -> Work:
+        if fabric.D3333 == 0:
+            return LINEAR
+        return LINEAR * 2 + Work(3) if fabric.density_coefficients()[1] >= 0 else LINEAR + Work(4)
+
+    def work_of_balance(self, fabric: AxialFabric) -> Work:
+        """What :meth:`balance` takes."""
+        return (self._work_of_density(fabric) + LINEAR + Work(2, 1)) * len(self)
 
     def balance(self, fabric: AxialFabric) -> list[float]:
         """Density over sqrt(s + r^4 y), times the measure, at the nodes [-].

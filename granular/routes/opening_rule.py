@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 from granular.routes.contact_rule import ContactRule
 from granular.routes.fineness import Fineness
-from granular.routes.log_tangent_opening import closed_contacts, opened_range
+from granular.routes.log_tangent_opening import closed_contacts, opened_range, work_of_closed
 from granular.routes.meridian import Directions
 from granular.routes.windows import places_of_branches, window
+from granular.routes.work import Work
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
@@ -55,8 +56,11 @@ def closed_contacts_of(fabric: AxialFabric, loading: Loading, hypothesis: Hypoth
     # force/(1 + u^2): 1/(1 + u^2) is y, or s where the coordinate is the inverse tangent
     shrink = rule.cosine_squared if towards_equator else rule.sine_squared
     normal = tuple(cbrt(scale * force * part) for (*_, force), part in zip(nodes, shrink, strict=True))
+    work = (work_of_closed(where, nodes) + rule.work_of_tangents() + Work(2, 1) * len(nodes)
+            + (Work() if towards_equator else Work(1) * len(nodes)))
     if loading.friction is None:
-        return ContactRule(rule, normal, error=fineness.error)
+        return ContactRule(rule, normal, error=fineness.error, work=work)
     if loading.friction == 0:
-        return ContactRule(rule, normal, (0.0,) * len(nodes), (1.0,) * len(nodes), fineness.error)
-    return ContactRule(rule, normal, tuple(node[2] for node in nodes), tuple(node[3] for node in nodes), fineness.error)
+        return ContactRule(rule, normal, (0.0,) * len(nodes), (1.0,) * len(nodes), fineness.error, work)
+    return ContactRule(rule, normal, tuple(node[2] for node in nodes), tuple(node[3] for node in nodes), fineness.error,
+                       work)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from granular.routes.work import Work
+
 COMPONENTS = ("C1111", "C3333", "C1122", "C1133", "C2323", "C1212")
 """Order of the six components of a transversely isotropic stiffness, everywhere in this package."""
 
@@ -22,8 +24,34 @@ class RouteResult:
         Declared bound for the worst component, relative to that component [-].
     evaluations : int
         Directions in which the integrand was evaluated; 0 for a closed form.
+    work : Work or None
+        Operations and functions that it took; None where they are not counted.
     """
 
     components: Six
     relative_error: float
     evaluations: int
+    work: Work | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Promise:
+    """What a route would give.
+
+    Attributes
+    ----------
+    relative_error : float
+        Bound for the worst component, relative to that component [-]; infinite where none is promised.
+    evaluations : int
+        Directions in which the integrand would be evaluated [-].
+    work : Work or None
+        Operations and functions that it would take; None where they are not counted.
+    """
+
+    relative_error: float
+    evaluations: int
+    work: Work | None = None
+
+    def kept(self, components: Six) -> RouteResult:
+        """Put the components to it."""
+        return RouteResult(components, self.relative_error, self.evaluations, self.work)
