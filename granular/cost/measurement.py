@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import statistics
+import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -104,7 +105,7 @@ def measure_scene(scene: CostScene, settings: Sequence[Setting], *, rounds: int,
     timed = [one for one in tried if one.error is not None]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        timings = time_ratios([one.setting.call for one in timed], rounds, advanced)
+        timings = time_ratios([one.setting.call for one in timed], [one.seconds for one in timed], rounds, advanced)
     observed = {id(one): ratios for one, ratios in zip(timed, timings.ratios, strict=True)}
     return Measured([_cost(scene, one, observed.get(id(one), [])) for one in tried], timings.unit_seconds)
 
@@ -115,6 +116,7 @@ class _Tried:
 
     setting: Setting
     outcome: Outcome | None = None
+    seconds: float = 0.0
     error: float | None = None
     failure: str | None = None
     refused: bool = False
@@ -132,10 +134,12 @@ def _outside_settings(scene: CostScene) -> Iterator[Setting]:
 def _try(setting: Setting, known: Sequence[Fraction]) -> _Tried:
     """Call once; whatever goes wrong is put into words."""
     tried = _Tried(setting)
+    start = time.perf_counter()
     try:
         with warnings.catch_warnings(record=True) as heard:
             warnings.simplefilter("always")
             outcome = setting.call()
+        tried.seconds = time.perf_counter() - start
         tried.error = worst_error(outcome.components, known)
         tried.outcome = outcome
         tried.failure = outcome.failure or next((_sentence(str(warning.message)) for warning in heard), None)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from functools import partial
 
-from granular.cost.records import PRODUCT, Components, Outcome, RouteFailed, Setting
+from granular.cost.records import PRODUCT, Outcome, RouteFailed, Setting
 from granular.cost.scenes import CostScene
 from granular.hypothesis import Hypothesis
 from granular.routes import axial, certified, midpoint, sphere
@@ -21,7 +22,8 @@ DEGREES = (5, 11, 17, 23, 29, 47, 83, 131)
 PANELS = (12, 24, 48, 96, 384, 1536)
 DIGITS = (15, 30, 50, 100)
 
-Stiffness = Callable[[], RouteResult]
+Stiffness = Callable[[], Outcome]
+"""Six components of grains of one size, with what is promised for them and the count."""
 
 
 def product_settings(scene: CostScene) -> Iterator[Setting]:
@@ -56,61 +58,61 @@ def product_settings(scene: CostScene) -> Iterator[Setting]:
         if panels != midpoint.PRINTED_PANELS:
             yield _setting(scene, midpoint.NAME, f"{panels} panels", partial(_by_panels, scene, panels))
     for digits in DIGITS:
-        yield _certified(scene, digits)
+        yield _setting(scene, certified.NAME, f"{digits} digits", partial(_by_digits, scene, digits))
 
 
 def _setting(scene: CostScene, route: str, name: str, stiffness: Stiffness, *, paper: bool = False) -> Setting:
     def call() -> Outcome:
-        result = stiffness()
-        promised = result.relative_error if result.relative_error < 1 else None
+        found = stiffness()
         if scene.spread is None:
-            return Outcome(result.components, promised, result.evaluations)
+            return found
         factor, error = _length_factor(scene)
-        return Outcome([component * factor for component in result.components],
-                       None if promised is None else promised + error, result.evaluations)
+        return Outcome([float(component) * factor for component in found.components],
+                       None if found.promised is None else found.promised + error, found.evaluations)
 
     return Setting(route=route, kind=PRODUCT, name=f"{midpoint.PRINTED_PANELS} panels" if paper else name, call=call,
                    paper=paper)
 
 
-def _evaluate(scene: CostScene, route: str, rtol: float | None = None) -> RouteResult:
-    return ROUTES[route].evaluate(scene.fabric, poisson_ratio=scene.poisson_ratio, hypothesis=scene.hypothesis,
-                                  loading=scene.loading, rtol=rtol)
+def _evaluate(scene: CostScene, route: str, rtol: float | None = None) -> Outcome:
+    return _outcome(ROUTES[route].evaluate(scene.fabric, poisson_ratio=scene.poisson_ratio,
+                                           hypothesis=scene.hypothesis, loading=scene.loading, rtol=rtol))
 
 
-def _by_nodes(scene: CostScene, nodes: int) -> RouteResult:
+def _outcome(result: RouteResult) -> Outcome:
+    return Outcome(result.components, _promised(result.relative_error), result.evaluations)
+
+
+def _promised(error: float) -> float | None:
+    return None if math.isinf(error) else error
+
+
+def _by_nodes(scene: CostScene, nodes: int) -> Outcome:
     rule = axial.suitable_rule(scene.fabric, scene.hypothesis, nodes=nodes)
     six = axial.components_by_rule(scene.fabric, poisson_ratio=scene.poisson_ratio, hypothesis=scene.hypothesis,
                                    rule=rule)
-    return RouteResult(six, float("inf"), nodes)
+    return Outcome(six, None, nodes)
 
 
-def _by_degree(scene: CostScene, degree: int) -> RouteResult:
+def _by_degree(scene: CostScene, degree: int) -> Outcome:
     from granular.routes.sphere_bounds import declared_error
 
     promised = declared_error(scene.fabric, hypothesis=scene.hypothesis, degree=degree, loading=scene.loading)
     six = sphere.components_by_degree(scene.fabric, poisson_ratio=scene.poisson_ratio, hypothesis=scene.hypothesis,
                                       degree=degree, loading=scene.loading)
-    return RouteResult(six, promised, sphere.directions_of(degree))
+    return Outcome(six, _promised(promised), sphere.directions_of(degree))
 
 
-def _by_panels(scene: CostScene, panels: int) -> RouteResult:
-    return midpoint.evaluate(scene.fabric, poisson_ratio=scene.poisson_ratio, hypothesis=scene.hypothesis,
-                             loading=scene.loading, panels=panels)
+def _by_panels(scene: CostScene, panels: int) -> Outcome:
+    return _outcome(midpoint.evaluate(scene.fabric, poisson_ratio=scene.poisson_ratio, hypothesis=scene.hypothesis,
+                                      loading=scene.loading, panels=panels))
 
 
-def _certified(scene: CostScene, digits: int) -> Setting:
-    """Middle of the enclosures, exact; of graded grains only the stiffness of one size is certified."""
-    def call() -> Outcome:
-        six = certified.enclose(scene.fabric, poisson_ratio=scene.poisson_ratio, hypothesis=scene.hypothesis,
-                                loading=scene.loading, digits=digits)
-        middles: Components = tuple(enclosure.midpoint for enclosure in six)
-        if scene.spread is None:
-            return Outcome(middles, float(f"1e-{digits}"))
-        factor, error = _length_factor(scene)
-        return Outcome([float(middle) * factor for middle in middles], float(f"1e-{digits}") + error)
-
-    return Setting(route=certified.NAME, kind=PRODUCT, name=f"{digits} digits", call=call)
+def _by_digits(scene: CostScene, digits: int) -> Outcome:
+    """Middles of the enclosures, exact."""
+    six = certified.enclose(scene.fabric, poisson_ratio=scene.poisson_ratio, hypothesis=scene.hypothesis,
+                            loading=scene.loading, digits=digits)
+    return Outcome(tuple(enclosure.midpoint for enclosure in six), float(f"1e-{digits}"))
 
 
 def _length_factor(scene: CostScene) -> tuple[float, float]:
@@ -125,9 +127,9 @@ def _length_factor(scene: CostScene) -> tuple[float, float]:
     return (moment.value / scale if kinematic else 1 / (moment.value * scale)), moment.relative_error + 2.0**-50
 
 
-def _emitted(scene: CostScene) -> RouteResult:
+def _emitted(scene: CostScene) -> Outcome:
     """The emitted functions as they stand, in floats, with no rounding kept in check."""
-    return RouteResult(emitted_floats(scene), float("inf"), 0)
+    return Outcome(emitted_floats(scene))
 
 
 def emitted_floats(scene: CostScene) -> tuple[float, float, float, float, float, float]:

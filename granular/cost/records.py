@@ -39,7 +39,8 @@ class Cost:
     promised : float or None
         What the route declares for it beforehand [-]; None where it declares nothing.
     evaluations : int or None
-        Directions in which the integrand was evaluated [-]; 0 for a closed form, None where they are not counted.
+        Directions in which the integrand was evaluated [-], sizes of grains not counted; 0 for a closed form, None
+        without a result.
     time_ratio : float or None
         Time of one call over that of the unit in the same round, median of the rounds [-].
     spread : float or None

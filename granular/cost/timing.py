@@ -14,8 +14,11 @@ UNIT = "the emitted closed form of Table II, case 3, kinematic, in floats"
 SHORTEST = 5e-4
 """A timing repeats its call until it takes about this long [s], far above the resolution of the clock."""
 
-LONGEST = 0.5
+LONGEST = 0.4
 """What one setting may take in all [s], as long as it is timed ``FEWEST`` times."""
+
+LONG = 0.1
+"""A call whose first time was longer [s] is not tried once more before it is timed."""
 
 FEWEST = 3
 """Timings of a call that takes long [-]."""
@@ -44,13 +47,16 @@ def unit() -> object:
     return kinematic_constant(0.3, 0.0, -0.3, 0.21)
 
 
-def time_ratios(calls: Sequence[Callable[[], object]], rounds: int, advanced: Callable[[], None]) -> Timings:
+def time_ratios(calls: Sequence[Callable[[], object]], first: Sequence[float], rounds: int,
+                advanced: Callable[[], None]) -> Timings:
     """Time every call in every round; those that take long in fewer.
 
     Parameters
     ----------
     calls : sequence of callable
         What is timed.
+    first : sequence of float
+        What the first call of each took [s]; it may have built tables that later ones share.
     rounds : int
         How many rounds [-].
     advanced : callable
@@ -65,7 +71,7 @@ def time_ratios(calls: Sequence[Callable[[], object]], rounds: int, advanced: Ca
     -----
     Accuracy: that of the clock; other load on the machine acts on both sides of a ratio. Source: this machine.
     """
-    seconds = [_time(call, 1) for call in calls]
+    seconds = [one if one > LONG else _time(call, 1) for call, one in zip(calls, first, strict=True)]
     repeats = [max(1, math.ceil(SHORTEST / one)) for one in seconds]
     counts = [max(min(FEWEST, rounds), min(rounds, int(LONGEST / (one * times))))
               for one, times in zip(seconds, repeats, strict=True)]
