@@ -25,8 +25,8 @@ class Range:
 
     Examples
     --------
-    >>> (Range.of(0.5, 2.0) * Range.of(2.0)).change
-    3.000000000003
+    >>> round((Range.of(0.5, 2.0) * Range.of(2.0)).change, 9)
+    3.0
     """
 
     low: float

@@ -121,50 +121,6 @@ def test_json_is_one_object_and_nothing_else(command):
     assert "NaN" not in out and "Infinity" not in out
 
 
-def test_plan_explains_and_computes_nothing(command, monkeypatch):
-    # Breaks when plan evaluates, or leaves a decision unexplained.
-    monkeypatch.setattr("granular.routes.closed_form.evaluate", None)
-    code, out, _ = command("plan", SCENES / "table_ii_3.toml")
-    assert code == 0
-    for part in ("closed_form", "packing    yes", "contact normals with D33 = 0.3", "kinetic    no ", "left out by the",
-                 "error bound", "error budget", "with/without"):
-        assert part in out
-    content = json.loads(command("plan", SCENES / "table_ii_3.toml", "--json")[1])
-    assert content["effects"]["simulated"] == ["packing", "branches"]
-    assert set(content) == {"hypothesis", "route", "route_reason", "evaluations", "relative_error", "rtol", "effects",
-                            "bounds", "costs", "left_out_error"}
-    assert set(content["bounds"]) == set(content["costs"]) == {"packing", "branches", "kinetic"}
-    assert content["left_out_error"] == 0.0
-
-
-def test_what_has_no_bound_is_null(command):
-    # Breaks when infinity reaches JSON, or an effect without a stiffness beside it ends the plan.
-    content = json.loads(command("plan", SCENES / "table_v_2.toml", "--json")[1])
-    assert content["bounds"] == {"kinetic": None, "slip": None}
-    assert content["costs"]["slip"]["with"] == content["evaluations"] > content["costs"]["slip"]["without"]
-
-
-@pytest.mark.parametrize("columns", [45, 80, 140])
-def test_run_explains_itself(command, monkeypatch, columns):
-    # Breaks when --explain drops a part of the result or of the plan, at any width of the terminal.
-    monkeypatch.setenv("COLUMNS", str(columns))
-    code, out, _ = command("run", SCENES / "aligned_spheroids.toml", "--explain")
-    words = " ".join(out.split())
-    assert code == 0
-    assert out.index("C1111") < out.index("Effects, and")
-    for part in ("closed_form does not", "effects left out 0, route 1.8e-15", "counted", "predicted",
-                 "every contact is compressed", "aspect_ratio = 0.8"):
-        assert part in words
-
-
-def test_json_explains_on_request_only(command):
-    # Breaks when the plan is missing, or differs from what plan prints.
-    path = SCENES / "table_iii_3.toml"
-    content = json.loads(command("run", path, "--json", "--explain")[1])
-    assert content.pop("plan") == json.loads(command("plan", path, "--json")[1])
-    assert content == json.loads(command("run", path, "--json")[1])
-
-
 def test_options_reach_the_evaluation(command):
     # Breaks when --route or --rtol is read and dropped.
     content = json.loads(command("run", SCENES / "table_ii_3.toml", "--route", "axial", "--rtol", "1e-9", "--json")[1])
