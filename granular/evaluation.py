@@ -18,6 +18,7 @@ from granular.routes.result import COMPONENTS, Six
 if TYPE_CHECKING:
     from granular.engineering import EngineeringConstants
     from granular.ratios import Ratio
+    from granular.routes.work import Work
     from granular.scene import Scene
     from granular.waves import Waves
 
@@ -40,6 +41,8 @@ class Evaluation:
         (M/V) l_e^2 k_n,ref [Pa]; for graded grains l_e^2 is the mean square of the branch lengths.
     evaluations : int
         Directions in which the integrand was evaluated [-]; 0 for a closed form.
+    work : Work or None
+        Operations and functions that the route took; None where they are not counted.
     contacts_per_volume : float
         M/V, in ``contacts_per_volume_unit``.
     contacts_per_volume_unit : str
@@ -56,6 +59,7 @@ class Evaluation:
     route_error: float
     reference_stiffness: float
     evaluations: int
+    work: Work | None
     contacts_per_volume: float
     contacts_per_volume_unit: str
     density: float | None
@@ -161,7 +165,9 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
     result = ROUTES[decided.route].evaluate(
         decided.fabric, poisson_ratio=decided.poisson_ratio, hypothesis=decided.hypothesis, loading=decided.loading,
         rtol=decided.route_rtol)
-    components, error = _axially_tied(result.components, result.relative_error)
+    components, error = result.components, result.relative_error
+    if not ROUTES[decided.route].keeps_axis:
+        components, error = _axially_tied(components, error)
     coordination, lengths = scene.packing.coordination, decided.lengths
     reference = reference_stiffness(
         scene.grains.shear_modulus, decided.poisson_ratio, mean_stress=scene.stress.mean_stress,
@@ -173,8 +179,7 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
     return Evaluation(
         stiffness=Stiffness.transversely_isotropic(*_in_pascals(components, reference, decided)),
         normalised=components, relative_error=with_left_out(error + decided.scaling_error, decided.left_out_error),
-        route_error=error,
-        reference_stiffness=reference, evaluations=result.evaluations,
+        route_error=error, reference_stiffness=reference, evaluations=result.evaluations, work=result.work,
         contacts_per_volume=contacts_per_volume(
             scene.packing.void_ratio, coordination,
             grain_diameter=1.0 if lengths is None else lengths.equal_volume_diameter),

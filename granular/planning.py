@@ -13,6 +13,7 @@ from granular.fields import Number, chosen
 from granular.gradation import length_moments
 from granular.hypothesis import Hypothesis
 from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Route
+from granular.routes.choice import Choice, choose
 from granular.routes.result import Promise
 from granular.units import shown
 
@@ -21,16 +22,19 @@ if TYPE_CHECKING:
 
     from granular.gradation import LengthMoments, SizeDistribution
     from granular.loading import Loading
+    from granular.routes.work import Work
     from granular.scene import Scene
 
 SCALING_ERROR = 2.0**-52
 """What the step to pascals adds: a reference stiffness and a product, each rounded once [-]."""
 
 COARSE = 2.0**-44
-"""A route that errs by more than this may break C1212 = (C1111 - C1122)/2 visibly, and C1212 is then set by it [-]."""
+"""A rule that knows no axis and errs by more than this may break C1212 = (C1111 - C1122)/2 visibly, and C1212 is then
+set by it [-]."""
 
 COARSE_SHARE = 0.8
-"""What setting C1212 leaves of a wanted accuracy: the bound grows by (C1111 + C1122)/(2 C1212), at most 5/4 [-]."""
+"""What setting C1212 leaves of a wanted accuracy: without slip, which such rules do not serve, the bound grows by
+(C1111 + C1122)/(2 C1212), at most 5/4 [-]."""
 
 WANTED = Number(above=0.0, below=1.0)
 """Interval of a wanted relative accuracy."""
@@ -78,6 +82,8 @@ class Plan:
         How the effects were chosen.
     asked_route : str
         "auto", or the route that was asked for.
+    choice : Choice
+        The route with its promise, beside the others that were looked at.
     """
 
     hypothesis: Hypothesis
@@ -99,11 +105,18 @@ class Plan:
     scaling_error: float
     selection: Selection
     asked_route: str
+    choice: Choice
+
+    @property
+    def work(self) -> Work | None:
+        """Operations and functions that the route takes; None where they are not counted."""
+        return self.choice.promise.work
 
     @property
     def route_rtol(self) -> float | None:
         """Relative accuracy that the route is asked for [-]; None when none is wanted."""
-        return route_accuracy(remaining(self.rtol, self.left_out_error), self.lengths)
+        return route_accuracy(remaining(self.rtol, self.left_out_error), self.lengths,
+                              keeps_axis=ROUTES[self.route].keeps_axis)
 
     @property
     def bounds(self) -> dict[str, float]:
@@ -179,18 +192,19 @@ def _planned(scene: Scene, selection: Selection, rtol: float | None, name: str) 
     lengths = None if selection.sizes is None else length_moments(selection.sizes)
     scaling = scaling_error(lengths)
     wanted = remaining(rtol, left_out)
-    left = route_accuracy(wanted, lengths)
+    left = route_accuracy(wanted, lengths, keeps_axis=name == "auto" or ROUTES[name].keeps_axis)
     _require_reachable(wanted, left, scaling)
-    best, promise, reason = _decide(name, fabric, hypothesis, selection.loading, left)
-    _require_accuracy(best, promise, wanted, left, scaling)
+    choice = choose(name, fabric, hypothesis, selection.loading, left)
+    promise = choice.promise
+    _require_accuracy(choice.route, promise, wanted, left, scaling)
     return Plan(
-        hypothesis=hypothesis, route=best.name, route_reason=reason,
+        hypothesis=hypothesis, route=choice.route.name, route_reason=choice.reason,
         effects_simulated=tuple(selection.simulated), called_for=selection.simulated,
         effects_not_called_for=selection.not_called_for, fabric=fabric, loading=selection.loading,
         sizes=selection.sizes, lengths=lengths, poisson_ratio=scene.grains.poisson_ratio,
         evaluations=promise.evaluations, relative_error=with_left_out(promise.relative_error + scaling, left_out),
         rtol=rtol, left_out_error=left_out, route_error=promise.relative_error, scaling_error=scaling,
-        selection=selection, asked_route=name)
+        selection=selection, asked_route=name, choice=choice)
 
 
 def _cost(decided: Plan, effect: str) -> tuple[int, int] | None:
@@ -209,8 +223,8 @@ def _evaluations(decided: Plan, effects: Collection[str]) -> int:
     model = model_of(decided.selection.scene, effects)
     if model.static and model.loading is not None:
         model.loading.require_finite_compliance(model.fabric.D33)
-    _, promise, _ = _decide(decided.asked_route, model.fabric, model.hypothesis, model.loading, decided.route_rtol)
-    return promise.evaluations
+    return choose(decided.asked_route, model.fabric, model.hypothesis, model.loading,
+                  decided.route_rtol).promise.evaluations
 
 
 def remaining(rtol: float | None, left_out_error: float) -> float | None:
@@ -283,7 +297,8 @@ def scaling_error(lengths: LengthMoments | None) -> float:
     return SCALING_ERROR if lengths is None else 2 * (SCALING_ERROR + lengths.relative_error)
 
 
-def route_accuracy(rtol: float | None, lengths: LengthMoments | None = None) -> float | None:
+def route_accuracy(rtol: float | None, lengths: LengthMoments | None = None, *,
+                   keeps_axis: bool = True) -> float | None:
     """What is left of a wanted accuracy for the route, before the step to pascals and the tie of C1212.
 
     Parameters
@@ -292,6 +307,8 @@ def route_accuracy(rtol: float | None, lengths: LengthMoments | None = None) -> 
         Wanted relative accuracy of every component in pascals [-].
     lengths : LengthMoments or None
         Moments of the branch lengths of graded grains.
+    keeps_axis : bool
+        Whether the route needs no tie of C1212.
 
     Returns
     -------
@@ -304,7 +321,7 @@ def route_accuracy(rtol: float | None, lengths: LengthMoments | None = None) -> 
     """
     if rtol is None:
         return None
-    return (COARSE_SHARE * rtol if rtol > COARSE else rtol) - scaling_error(lengths)
+    return (COARSE_SHARE * rtol if rtol > COARSE and not keeps_axis else rtol) - scaling_error(lengths)
 
 
 def _require_finite_compliance(selection: Selection) -> None:
@@ -323,28 +340,12 @@ def _require_finite_compliance(selection: Selection) -> None:
         ) from None
 
 
-def _decide(name: str, fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
-            wanted: float | None) -> tuple[Route, Promise, str]:
-    passed = ""
-    for route in (ROUTES[known] for known in (AUTO if name == "auto" else (name,))):
-        promise = route.promise(fabric, hypothesis, loading, wanted)
-        if promise is not None:
-            why = f"the cheapest that serves this scene{passed}" if name == "auto" else "as asked for"
-            return route, promise, f"{route.title}, {why}"
-        passed = f" ({route.name} does not)"
-    # one named route that does not serve the scene: it says best itself what it serves
-    ROUTES[name].evaluate(fabric, poisson_ratio=0.0, hypothesis=hypothesis, loading=loading)
-    raise RouteOutOfDomain(f"route = {name} for {fabric}" + ("" if loading is None else " with contact forces"),
-                           allowed=f"it does not serve this scene by the {hypothesis} hypothesis",
-                           remedy=f"Use route {AUTO[-1]}, which serves every admissible scene.")
-
-
 def _require_reachable(rtol: float | None, left: float | None, scaling: float) -> None:
     """Refuse what no route can make up for: the branch lengths of graded grains are not known well enough."""
     if left is None or left > 0 or scaling <= SCALING_ERROR:
         return
     raise RouteOutOfDomain(f"rtol = {rtol!r} with a gradation",
-                           allowed=f"allowed rtol > {scaling / COARSE_SHARE:.2e}, for the branch lengths are known to "
+                           allowed=f"allowed rtol > {scaling * 1.005:.2e}, for the branch lengths are known to "
                            f"{scaling:.2e}", remedy="Ask for less.")
 
 
@@ -357,7 +358,8 @@ def _require_accuracy(route: Route, promise: Promise, rtol: float | None, wanted
                                allowed=f"allowed no rtol there, because {route.title}, promises no accuracy",
                                remedy=f"Leave rtol out, or use route {AUTO[-1]}.")
     total = promise.relative_error + scaling
-    closest = f"{(total if total <= COARSE else total / COARSE_SHARE) * 1.005:.2e}"  # rounded up: it will be granted
+    share = 1.0 if route.keeps_axis or total <= COARSE else COARSE_SHARE
+    closest = f"{total / share * 1.005:.2e}"  # rounded up: it will be granted
     better = "" if route.name == MOST_ACCURATE else f", or use route {MOST_ACCURATE}"
     raise RouteOutOfDomain(f"rtol = {rtol!r} by route {route.name}",
                            allowed=f"allowed rtol >= {closest} for this fabric",

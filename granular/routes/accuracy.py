@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from granular.errors import RouteOutOfDomain
 
+RANK_FOUR_FACTOR = 4.5
+"""With D3333 the middle coefficient of the density may be negative. The terms that then cancel are at most 4.45 times
+the sum: that is the largest ratio over all densities with a double zero and all |v| <= 1/2 (at e0/e2 = 0.63, v = 0)."""
+
 HALF_ULP = 2.0**-53
 """Largest relative error of rounding an exact value to the nearest binary64 number [-]."""
 

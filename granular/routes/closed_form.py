@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from granular.errors import RouteOutOfDomain
 from granular.hypothesis import Hypothesis
+from granular.routes.accuracy import RANK_FOUR_FACTOR
 from granular.routes.arithmetic import FLOAT_ERROR, FLOATS, Arithmetic, arithmetic_for
 from granular.routes.result import Promise, RouteResult, Six
 from granular.routes.work import Work
@@ -47,10 +48,6 @@ WORK = {
     "kinetic kinematic": Work(622, 2), "kinetic static": Work(545, 2), "kinetic frictionless": Work(608, 2),
 }
 """What each of the emitted forms takes; those with contact forces and the static one are series of fixed lengths."""
-
-RANK_FOUR_FACTOR = 4.5
-"""With D3333 the middle coefficient of the density may be negative. The terms that then cancel are at most 4.45 times
-the sum: that is the largest ratio over all densities with a double zero and all |v| <= 1/2 (at e0/e2 = 0.63, v = 0)."""
 
 
 def covers(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None = None) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.hypothesis import Hypothesis
+from granular.routes.accuracy import RANK_FOUR_FACTOR
 from granular.routes.arithmetic import FLOAT_ERROR, QUICK
 
 if TYPE_CHECKING:
@@ -79,13 +80,14 @@ def fineness_for(rtol: float | None, fabric: AxialFabric, hypothesis: Hypothesis
     """
     if rtol is None or not rtol >= QUICK:
         return FULL
-    error = (min(rtol, 0.1) - FLOAT_ERROR) / amplification(fabric, hypothesis)
+    wanted = min(rtol, 0.1) * (1 - 2.0**-40)  # so that no rounding makes a promise of more than was wanted
+    error = (wanted - FLOAT_ERROR) / amplification(fabric, hypothesis)
     steps = COARSEST + max(0, math.ceil(math.log(AT_COARSEST / (0.9 * error)) / GAIN))
     spacing = AT_COARSEST * math.exp(-GAIN * (steps - COARSEST))
     return Fineness(steps, math.log(CUT / (error - spacing)) / REACH, error)
 
 
-def amplification(fabric: AxialFabric, hypothesis: Hypothesis) -> int:
+def amplification(fabric: AxialFabric, hypothesis: Hypothesis) -> float:
     """By how much the error of averages may grow on the way to a component.
 
     Parameters
@@ -97,16 +99,18 @@ def amplification(fabric: AxialFabric, hypothesis: Hypothesis) -> int:
 
     Returns
     -------
-    int
+    float
         Kinematic: 1, as components are sums of averages with positive factors, and 4 with free spin, a quotient of
         three of them. Static: 6, as an entry of the inverse of a diagonally dominant M-matrix errs by 5 times as much
-        as the averages to first order, and 8 for spheroids, whose balance of forces is averaged too.
+        as the averages to first order, and 8 for spheroids, whose balance of forces is averaged too. Times
+        ``RANK_FOUR_FACTOR`` where terms of the density cancel.
 
     Notes
     -----
     Accuracy: a bound for errors up to 0.01. Source: Alfa, Xue, Ye, Math. Comp. 71 (2002), entrywise perturbation of
     diagonally dominant M-matrices.
     """
+    cancelling = RANK_FOUR_FACTOR if fabric.density_coefficients()[1] < 0 else 1.0
     if hypothesis is Hypothesis.STATIC:
-        return 6 if fabric.collinear else 8
-    return 4 if fabric.free_spin else 1
+        return cancelling * (6 if fabric.collinear else 8)
+    return cancelling * (4 if fabric.free_spin else 1)
