@@ -151,7 +151,7 @@ def evaluate(scene: Scene, *, rtol: float | None = None, route: str = "auto") ->
     Notes
     -----
     Accuracy: every component to ``relative_error`` of itself; the route's bound, that of the branch lengths of graded
-    grains, and the roundings. Source: eqs (1)-(23).
+    grains, the roundings, and the bounds of effects that were left out for ``rtol``. Source: eqs (1)-(23).
 
     Examples
     --------
