@@ -102,12 +102,12 @@ def best_times(timed: list[Candidate], *, against: str, rounds: int = ROUNDS) ->
     Returns
     -------
     dict
-        Name -> best time [s].
+        Name -> best time of the processor [s].
 
     Notes
     -----
-    Accuracy: the best of several times repeats to some per cent on a machine that does other work too. Source: the
-    clock of this machine.
+    Accuracy: the best of several times repeats to some per cent, also on a machine that does other work, for only the
+    time that this process got is counted. Source: the clock of this process.
     """
     best: dict[str, float] = {}
     left, rng, spent = list(timed), random.Random(1999), 0.0
@@ -116,9 +116,9 @@ def best_times(timed: list[Candidate], *, against: str, rounds: int = ROUNDS) ->
             break
         rng.shuffle(left)
         for candidate in left:
-            start = time.perf_counter()
+            start = time.process_time()
             candidate.call()
-            seconds = time.perf_counter() - start
+            seconds = time.process_time() - start
             spent += seconds
             best[candidate.name] = min(seconds, best.get(candidate.name, seconds))
         left = [candidate for candidate in left if best[candidate.name] <= HOPELESS * best[against]]
