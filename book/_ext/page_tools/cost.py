@@ -24,17 +24,27 @@ def measured(data: str) -> dict[str, Any]:
     return content
 
 
+SCENES = ("equal-contacts", "unequal-branches")
+"""Scenes of the figure."""
+
+
+def _costs(data: str) -> list[dict[str, Any]]:
+    """Settings of the routes of this package that gave a result."""
+    return [cost for cost in measured(data)["costs"]
+            if cost["scene"] in SCENES and cost["route"] in LOOKS and cost["error"] is not None]
+
+
 @house_style
 def cost_figure(data: str) -> Static:
-    """Draw error against time, a panel for each fabric and hypothesis."""
-    costs = measured(data)["costs"]
-    panels = list(dict.fromkeys((cost["case"], cost["hypothesis"]) for cost in costs))
+    """Draw error against time, a panel for each scene and hypothesis."""
+    costs = _costs(data)
+    panels = list(dict.fromkeys((cost["scene"], cost["hypothesis"]) for cost in costs))
     figure = blank(height=5.6)
     axes = figure.subplots(2, 2, sharex=True, sharey=True)
     for axis, panel in zip(axes.flat, panels, strict=True):
         for route, (marker, colour) in LOOKS.items():
             points = [(cost["time_ratio"], max(cost["error"], LEAST_SHOWN)) for cost in costs
-                      if (cost["case"], cost["hypothesis"]) == panel and cost["route"] == route]
+                      if (cost["scene"], cost["hypothesis"]) == panel and cost["route"] == route]
             if points:
                 axis.loglog(*zip(*points, strict=True), marker, color=colour, markersize=6, label=route,
                             linestyle="-" if len(points) > 2 else "none", linewidth=0.8)
@@ -47,13 +57,14 @@ def cost_figure(data: str) -> Static:
     return Static(figure)
 
 
-def cost_table(data: str, case: str, hypothesis: str) -> Markup:
-    """List the measurements of one fabric and hypothesis."""
+def cost_table(data: str, scene: str, hypothesis: str) -> Markup:
+    """List the measurements of one scene and hypothesis."""
     rows = [[f"`{cost['route']}`", plain(cost["setting"]), str(cost["evaluations"] or "–"), f"{cost['error']:.1e}",
              f"{cost['time_ratio']:.3g}", f"{100 * cost['spread']:.0f} %"]
-            for cost in measured(data)["costs"] if (cost["case"], cost["hypothesis"]) == (case, hypothesis)]
+            for cost in _costs(data) if (cost["scene"], cost["hypothesis"]) == (scene, hypothesis)]
+    title = next(one["title"] for one in measured(data)["scenes"] if one["name"] == scene)
     return table(["route", "setting", "directions", "error", "time ratio", "spread"], rows, align="llrrrr",
-                 label="tab-cost", caption=f"{case}, {hypothesis} hypothesis.", take_away="cost.csv")
+                 label="tab-cost", caption=f"{title}; {hypothesis} hypothesis.", take_away="cost.csv")
 
 
 def machine(data: str) -> Markup:

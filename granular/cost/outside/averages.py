@@ -100,7 +100,7 @@ def outcome(scene: CostScene, numbers: Numbers, average: Average, tally: Tally, 
     return Outcome([exact(component) for component in six], None, tally.evaluations, tally.warning)
 
 
-def along_beta(integral: Integral, numbers: Any, edges: Sequence[Any], tally: Tally, half_pi: Any = math.pi / 2,
+def along_beta(integral: Integral, edges: Sequence[Any], tally: Tally, half_pi: Any = math.pi / 2,
                functions: Any = math) -> Average:
     """Mean over directions by a rule in beta over [0, pi/2].
 
@@ -108,8 +108,6 @@ def along_beta(integral: Integral, numbers: Any, edges: Sequence[Any], tally: Ta
     ----------
     integral : callable
         The rule between two ends.
-    numbers : Numbers
-        The arithmetic, for the ends.
     edges : sequence
         Break points in beta [rad].
     tally : Tally

@@ -32,9 +32,9 @@ class _Balls:
     The scheme asks whether the integrand is analytic on a ball; roots then say no next to their branch cut.
     """
 
-    def __init__(self, flint: Any, *, slides: bool = False, opened: bool = False) -> None:
-        self.flint, self.slides, self.opened = flint, slides or opened, opened
-        self.analytic = False
+    def __init__(self, flint: Any) -> None:
+        self.flint = flint
+        self.slides = self.opened = self.analytic = False
 
     def number(self, value: Fraction) -> Any:
         return self.flint.arb(value.numerator) / value.denominator

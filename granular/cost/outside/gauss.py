@@ -41,7 +41,7 @@ def _in_beta(scene: CostScene, nodes: int) -> Outcome:
     import numpy as np
 
     tally, integral = Tally(MOST_ARRAY), _integral(nodes)
-    average = along_beta(integral, Arrays, (), tally, math.pi / 2, np)
+    average = along_beta(integral, (), tally, math.pi / 2, np)
     return outcome(scene, Arrays(), average, tally, integral)
 
 

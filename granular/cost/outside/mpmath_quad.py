@@ -43,7 +43,7 @@ def _run(scene: CostScene, digits: int) -> Outcome:
                 found.append(value)
             return found
 
-        average = along_beta(integral, numbers, edges, tally, mp.pi / 2, mp)
+        average = along_beta(integral, edges, tally, mp.pi / 2, mp)
         return outcome(scene, numbers, average, tally, exact=rational)
 
 

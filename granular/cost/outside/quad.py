@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 
 from granular.cost.outside.arithmetic import Floats
@@ -35,7 +34,7 @@ def _quad(scene: CostScene, rtol: float, *, points: bool = False) -> Outcome:
             found.append(float(value))
         return found
 
-    average = along_beta(integral, Floats, edges, tally)
+    average = along_beta(integral, edges, tally)
     return outcome(scene, Floats(), average, tally, integral)
 
 
@@ -58,7 +57,7 @@ def _quad_vec(scene: CostScene, rtol: float) -> Outcome:
             tally.warning = _first_sentence(found.message)
         return [float(one) for one in value]
 
-    average = along_beta(integral, Floats, (), tally, math.pi / 2)
+    average = along_beta(integral, (), tally)
     return outcome(scene, Floats(), average, tally, integral)
 
 

@@ -46,7 +46,7 @@ def _run(scene: CostScene, level: int) -> Outcome:
             total += [(end - start) * float(weights @ value) for value in values]
         return [float(value) for value in total]
 
-    average = along_beta(integral, Arrays, break_points(scene), tally, math.pi / 2, np)
+    average = along_beta(integral, break_points(scene), tally, math.pi / 2, np)
     return outcome(scene, Arrays(), average, tally, integral)
 
 
