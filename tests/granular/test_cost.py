@@ -39,7 +39,7 @@ def test_scenes() -> None:
         slides = scene.loading is not None and scene.loading.slides(scene.fabric.D33)
         both = {other.hypothesis for other in SCENES if other.name == scene.name} == set(Hypothesis)
         assert both is not slides, scene.label
-    tilt = scene_of("near-tangency").loading.tilt(0.0)  # type: ignore[union-attr]
+    tilt = scene_of("near-tangency").loading.tilt(0.0)
     assert tilt is not None
     assert float(1 - tilt) == pytest.approx(2e-9, rel=1e-6)  # kappa = 1 - 1e-9, and kappa squared is the tilt
 
@@ -71,9 +71,9 @@ def test_closed_forms() -> None:
     """Errors are taken against something that is wrong in the last digits; a closed form evaluates an integrand."""
     costs = measured("equal-contacts", "closed_form", "exact", "certified")
     # floats round a dozen times, fractions once; balls are as good as asked for
-    assert 0 < costs["closed_form", "floats"].error < 2e-15  # type: ignore[operator]
-    assert costs["exact", "default"].error <= 2.0**-53  # type: ignore[operator]
-    assert costs["certified", "50 digits"].error < 1e-50  # type: ignore[operator]
+    assert 0 < costs["closed_form", "floats"].error < 2e-15
+    assert costs["exact", "default"].error <= 2.0**-53
+    assert costs["certified", "50 digits"].error < 1e-50
     assert all(cost.evaluations == 0 and cost.failure is None for cost in costs.values())
 
 
@@ -84,15 +84,15 @@ def test_rules_by_their_setting() -> None:
     for route in ("sphere", "midpoint", "gauss_x", "lebedev_scipy", "lebedev_quadpy", "tanh_sinh"):
         rows = [cost for (name, setting), cost in costs.items() if name == route and setting != "default"]
         counts = [cost.evaluations for cost in sorted(rows, key=lambda cost: int(cost.setting.strip("adeglnopsvr ")))]
-        assert counts == sorted(set(counts)), route  # type: ignore[type-var]
+        assert counts == sorted(set(counts)), route
     assert costs["midpoint", "24 panels"].paper
     # second order: doubling the panels divides the error by four, to the next order in 1/24^2
-    assert costs["midpoint", "24 panels"].error / costs["midpoint", "48 panels"].error == pytest.approx(  # type: ignore[operator]
+    assert costs["midpoint", "24 panels"].error / costs["midpoint", "48 panels"].error == pytest.approx(
         4, rel=0.02)
-    assert costs["gauss_x", "32 nodes"].error < 1e-13 < costs["gauss_x", "4 nodes"].error  # type: ignore[operator]
+    assert costs["gauss_x", "32 nodes"].error < 1e-13 < costs["gauss_x", "4 nodes"].error
     assert costs["sphere", "degree 23"].error == pytest.approx(  # two codes, one rule, up to rounding of a few units
         _lebedev(23), rel=1e-4)
-    assert costs["axial", "rtol 1e-03"].evaluations <= costs["axial", "rtol 1e-14"].evaluations  # type: ignore[operator]
+    assert costs["axial", "rtol 1e-03"].evaluations <= costs["axial", "rtol 1e-14"].evaluations
 
 
 def _lebedev(degree: int) -> float:
@@ -132,7 +132,7 @@ def test_whatever_a_library_raises() -> None:
     assert [cost.failure for cost in costs] == [
         "RuntimeError: it broke", "stopped", "the result is not a finite number", "not reached", None]
     assert [cost.count for cost in costs] == [0, 0, 0, 2, 2]
-    assert costs[3].error == costs[4].error < 1e-16  # type: ignore[operator]
+    assert costs[3].error == costs[4].error < 1e-16
 
 
 def test_a_library_that_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -165,7 +165,7 @@ def test_slow_calls_are_timed_less_often(monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_worst_error() -> None:
     """The worst component is not the one that counts, or a float is not taken as the number that it is."""
-    assert worst_error([Fraction(3, 2), 1.0], [Fraction(1), Fraction(1)]) == 0.5  # type: ignore[list-item]
+    assert worst_error([Fraction(3, 2), 1.0], [Fraction(1), Fraction(1)]) == 0.5
     assert worst_error([0.1], [Fraction(1, 10)]) == pytest.approx(5.55e-17, rel=1e-2)
     with pytest.raises(RouteFailed):
         worst_error([float("inf")], [Fraction(1)])
