@@ -46,4 +46,4 @@ EFFECT = Effect(
     name="deviation", title="angle between branch vector and contact normal", equations="eqs (5) and (6)",
     without="the grains are then taken as spheres", called_for=_called_for, bound=_bound,
     add_to_fabric=_add_to_fabric, excludes=("branches",),
-    modules=("granular.generated.spheroid",))
+    modules=("granular.spheroid", "granular.generated.spheroid",))

@@ -15,7 +15,6 @@ from granular.hypothesis import Hypothesis
 from granular.routes.arithmetic import FRACTIONS, Arithmetic
 from granular.routes.result import Six
 from granular.routes.work import Work
-from granular.spheroid import squared_equator
 
 if TYPE_CHECKING:
     from granular.fabric import AxialFabric
@@ -184,6 +183,8 @@ def _from_flexibilities(fabric: AxialFabric, contacts: ContactRule, normal: Sequ
 
 def _over_equal_volume(fabric: AxialFabric, components: Iterable[Any], arithmetic: Arithmetic) -> Sequence[Any]:
     """From components over (M/V) (2a)^2 k_n,ref to components over (M/V) l_e^2 k_n,ref."""
+    from granular.spheroid import squared_equator
+
     size = arithmetic.number(squared_equator(fabric.aspect_ratio))
     return tuple(arithmetic.number(component) * size for component in components)
 

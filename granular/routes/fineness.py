@@ -37,6 +37,9 @@ FULL = Fineness(steps=14, share=1.0, error=2.0**-56)
 """To rounding: exp(-2 pi (pi/4) 14) = 1e-30 leaves room for the high poles of the directions at t = +-i, which multiply
 it by up to 1e9, and for the narrowing of the strip where nodes begin to hurry."""
 
+LOOSEST = 1e-3
+"""A looser accuracy than this buys nothing more: the error models hold for small errors [-]."""
+
 COARSEST = 4
 """Fewest nodes for each unit."""
 
@@ -80,7 +83,7 @@ def fineness_for(rtol: float | None, fabric: AxialFabric, hypothesis: Hypothesis
     """
     if rtol is None or not rtol >= QUICK:
         return FULL
-    wanted = min(rtol, 0.1) * (1 - 2.0**-40)  # so that no rounding makes a promise of more than was wanted
+    wanted = min(rtol, LOOSEST) * (1 - 2.0**-40)  # so that no rounding makes a promise of more than was wanted
     error = (wanted - FLOAT_ERROR) / amplification(fabric, hypothesis)
     steps = COARSEST + max(0, math.ceil(math.log(AT_COARSEST / (0.9 * error)) / GAIN))
     spacing = AT_COARSEST * math.exp(-GAIN * (steps - COARSEST))
@@ -100,10 +103,10 @@ def amplification(fabric: AxialFabric, hypothesis: Hypothesis) -> float:
     Returns
     -------
     float
-        Kinematic: 1, as components are sums of averages with positive factors, and 4 with free spin, a quotient of
-        three of them. Static: 6, as an entry of the inverse of a diagonally dominant M-matrix errs by 5 times as much
-        as the averages to first order, and 8 for spheroids, whose balance of forces is averaged too. Times
-        ``RANK_FOUR_FACTOR`` where terms of the density cancel.
+        The factor [-]. Kinematic: 1, as components are sums of averages with positive factors, and 4 with free spin, a
+        quotient of three of them. Static: 6, as an entry of the inverse of a diagonally dominant M-matrix errs by 5
+        times as much as the averages to first order, and 8 for spheroids, whose balance of forces is averaged too.
+        Times ``RANK_FOUR_FACTOR`` where terms of the density cancel.
 
     Notes
     -----
