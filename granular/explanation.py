@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from granular.evaluation import Evaluation
     from granular.planning import Plan
+    from granular.routes.work import Work
 
 HEADINGS = ("effect", "simulated", "without it,\nchange up to", "evaluations\nwith/without", "why")
 """Columns of the table of effects; the reasons stand below it where a terminal is not wide."""
@@ -184,4 +185,33 @@ def explained(result: Evaluation) -> dict[str, str]:
         "error budget": error_budget(result.route_error, decided.scaling_error, decided.left_out_error),
         "wanted": "" if decided.rtol is None else f"{decided.rtol:.2g} of each component",
         "evaluations": f"{result.evaluations} counted, {decided.evaluations} predicted",
+        "arithmetic": f"{arithmetic(result.work)}, {arithmetic(decided.work)} predicted",
     }
+
+
+def arithmetic(work: Work | None) -> str:
+    """Say what an evaluation takes.
+
+    Parameters
+    ----------
+    work : Work or None
+        Operations and functions; None where they are not counted.
+
+    Returns
+    -------
+    str
+        Both of them.
+
+    Notes
+    -----
+    Source: ``granular.routes.work``.
+
+    Examples
+    --------
+    >>> from granular.routes.work import Work
+    >>> arithmetic(Work(operations=15436, functions=1071)), arithmetic(None)
+    ('15,436 operations and 1,071 roots and the like', 'not counted')
+    """
+    if work is None:
+        return "not counted"
+    return f"{work.operations:,} operations and {work.functions:,} roots and the like"

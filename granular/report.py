@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from granular.explanation import EffectTable, effect_lines, error_budget, explained
+from granular.explanation import EffectTable, arithmetic, effect_lines, error_budget, explained
 from granular.hypothesis import Hypothesis
 from granular.number_of_contacts import PER_CUBIC_METRE, PER_DIAMETER_CUBED
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from granular.evaluation import Evaluation
     from granular.planning import Plan
     from granular.ratios import Ratio
+    from granular.routes.work import Work
     from granular.waves import PhaseVelocities, Waves
 
 BOUND = {Hypothesis.KINEMATIC: "uniform strain, an upper bound", Hypothesis.STATIC: "uniform stress, a lower estimate"}
@@ -60,6 +61,7 @@ def evaluation_as_json(result: Evaluation) -> dict[str, Any]:
         "hypothesis": str(result.hypothesis),
         "route": result.route,
         "evaluations": result.evaluations,
+        "work": _work(result.work),
         "effects": {"simulated": list(result.effects_simulated), "not_called_for": result.effects_not_called_for},
         "contacts_per_volume": result.contacts_per_volume,
         "contacts_per_volume_unit": result.contacts_per_volume_unit,
@@ -85,6 +87,11 @@ def _waves_as_json(waves: Waves) -> dict[str, Any]:
     thomsen = waves.thomsen
     return {"density": waves.density, "vertical": speeds(waves.vertical), "horizontal": speeds(waves.horizontal),
             "thomsen": {"epsilon": thomsen.epsilon, "gamma": thomsen.gamma, "delta": thomsen.delta}}
+
+
+def _work(work: Work | None) -> dict[str, int] | None:
+    """Counted arithmetic; None for a route that does not count."""
+    return None if work is None else {"operations": work.operations, "functions": work.functions}
 
 
 def _finite(bound: float) -> float | None:
@@ -118,6 +125,7 @@ def plan_as_json(decided: Plan) -> dict[str, Any]:
         "route": decided.route,
         "route_reason": decided.route_reason,
         "evaluations": decided.evaluations,
+        "work": _work(decided.work),
         "relative_error": _finite(decided.relative_error),
         "rtol": decided.rtol,
         "effects": {"simulated": list(decided.effects_simulated), "called_for": decided.called_for,
@@ -191,7 +199,7 @@ def plan_as_text(decided: Plan) -> list[RenderableType]:
     return [_title("What run would do"), _facts({
         "hypothesis": f"{decided.hypothesis} ({BOUND[decided.hypothesis]})",
         "route": f"{decided.route}: {decided.route_reason}",
-        "cost": f"{decided.evaluations} evaluations of the integrand",
+        "cost": f"{decided.evaluations} evaluations of the integrand; {arithmetic(decided.work)}",
         "error bound": _bound(decided.relative_error)
                        + ("" if decided.rtol is None else f", wanted {decided.rtol:.2g}"),
         "error budget": error_budget(decided.route_error, decided.scaling_error, decided.left_out_error),

@@ -60,6 +60,18 @@ def test_nothing_knows_what_stands_to_its_right(package: str) -> None:
     assert wrong == []
 
 
+def test_only_the_comparison_loads_what_the_product_must_not() -> None:
+    """A library loaded by its name anywhere but in the ways from outside would pass the test above unseen."""
+    wrong = [f"{path.relative_to(ROOT)}:{call.lineno} loads {call.args[0].value}"
+             for path in sorted((ROOT / "granular").rglob("*.py"))
+             if not path.relative_to(ROOT).as_posix().startswith("granular/cost/outside/")
+             for call in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+             if isinstance(call, ast.Call) and call.args and isinstance(call.args[0], ast.Constant)
+             and getattr(call.func, "attr", getattr(call.func, "id", "")) in ("import_module", "__import__", "library")
+             and str(call.args[0].value).split(".")[0] in FORBIDDEN["granular"]]
+    assert wrong == []
+
+
 def test_heavy_libraries_wait_until_they_are_needed() -> None:
     """A heavy import at the top of a module that a single scene passes through would slow every run."""
     wrong = [f"{path.relative_to(ROOT)}:{line} imports {name} at the top; import it where it is needed"
