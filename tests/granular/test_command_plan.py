@@ -35,7 +35,7 @@ def test_plan_explains_and_computes_nothing(command, monkeypatch):
     content = json.loads(command("plan", SCENES / "table_ii_3.toml", "--json")[1])
     assert content["effects"]["simulated"] == ["packing", "branches"]
     assert set(content) == {"hypothesis", "route", "route_reason", "evaluations", "relative_error", "rtol", "effects",
-                            "bounds", "costs", "left_out_error"}
+                            "bounds", "costs", "left_out_error", "work"}
     assert set(content["bounds"]) == set(content["costs"]) == {"packing", "branches", "kinetic"}
     assert content["left_out_error"] == 0.0
 

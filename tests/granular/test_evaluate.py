@@ -259,7 +259,8 @@ def test_json_holds_the_whole_answer():
     result = granular.evaluate(scene(0.3, -0.3, grains={"density": 2650}))
     content = json.loads(json.dumps(evaluation_as_json(result), allow_nan=False))
     assert set(content) == {"stiffness", "relative_error", "reference_stiffness", "hypothesis", "route", "evaluations",
-                            "effects", "contacts_per_volume", "contacts_per_volume_unit", "waves"}
+                            "work", "effects", "contacts_per_volume", "contacts_per_volume_unit", "waves"}
+    assert content["work"] == {"operations": 103, "functions": 0}  # what the emitted form says of itself
     for name in ("relative_error", "reference_stiffness", "hypothesis", "route", "evaluations", "contacts_per_volume",
                  "contacts_per_volume_unit"):
         assert content[name] == getattr(result, name)
