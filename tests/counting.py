@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 
 @dataclass
 class Tally:
@@ -59,3 +61,42 @@ def total(terms: list[float]) -> Number:
     """Add doubles, counting."""
     TALLY.operations += len(terms) - 1
     return Number(math.fsum(terms))
+
+
+OPERATIONS = {np.add, np.subtract, np.multiply, np.divide, np.power, np.square, np.reciprocal}
+FUNCTIONS = {np.sqrt, np.cbrt}
+FREE = {np.maximum, np.negative}
+"""A comparison and a sign are free, as they are for single numbers."""
+
+
+class Numbers(np.ndarray):
+    """An array of doubles that counts what is done with its elements.
+
+    A sum over products (``einsum``, ``@``) counts as ``numpy.einsum_path`` does: in every term all factors but the
+    first are multiplied, and every term is added.
+    """
+
+    __array_priority__ = 1.0  # so that joining counting arrays leaves one that counts
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        plain = tuple(np.asarray(value.view(np.ndarray) if isinstance(value, Numbers) else value) for value in inputs)
+        result = getattr(ufunc, method)(*plain, **options)
+        if ufunc is np.matmul:
+            TALLY.operations += 2 * result.size * plain[0].shape[-1]
+        elif ufunc in OPERATIONS:
+            TALLY.operations += plain[0].size - result.size if method == "reduce" else result.size
+        elif ufunc in FUNCTIONS:
+            TALLY.functions += result.size
+        elif ufunc not in FREE:
+            raise NotImplementedError(f"{ufunc} is not counted")
+        return np.asarray(result).view(Numbers)
+
+    def __array_function__(self, function: Any, types: Any, inputs: Any, options: Any) -> Any:
+        if function is not np.einsum:
+            return super().__array_function__(function, types, inputs, options)
+        form, *factors = inputs
+        arrays = [np.asarray(one).view(np.ndarray) for one in factors]
+        sizes = {letter: size for letters, array in zip(form.split("->")[0].split(","), arrays, strict=True)
+                 for letter, size in zip(letters, array.shape, strict=True)}
+        TALLY.operations += math.prod(sizes.values()) * len(arrays)
+        return np.einsum(form, *arrays, **options).view(Numbers)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -145,17 +144,9 @@ def _axial(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
 
 def _sphere(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
             rtol: float | None) -> Promise | None:
-    from granular.routes.sphere import directions_of
-    from granular.routes.sphere_bounds import DEGREES, WANTED, declared_error
+    from granular.routes.sphere import promise
 
-    wanted = WANTED if rtol is None else rtol
-    for degree in DEGREES:
-        error = declared_error(fabric, hypothesis=hypothesis, degree=degree, loading=loading)
-        if error <= wanted:
-            break
-    if math.isinf(error) or (rtol is None and error > WANTED):
-        return None
-    return Promise(error, directions_of(degree))
+    return promise(fabric, hypothesis, loading, rtol=rtol)
 
 
 def _exact(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
@@ -169,16 +160,20 @@ def _exact(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
 
 def _certified(fabric: AxialFabric, _hypothesis: Hypothesis, loading: Loading | None,
                _rtol: float | None) -> Promise | None:
+    """Promise the last rounding alone. No work is declared, as an operation on balls has no fixed cost.
+
+    It grows with the digits they carry, and how many the proof needs is found out by trying.
+    """
     from granular.routes.accuracy import HALF_ULP
 
     return Promise(HALF_ULP, 0) if fabric.collinear or loading is None else None
 
 
-def _midpoint(_fabric: AxialFabric, _hypothesis: Hypothesis, _loading: Loading | None,
+def _midpoint(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
               _rtol: float | None) -> Promise:
-    from granular.routes.midpoint import PRINTED_PANELS
+    from granular.routes.midpoint import promise
 
-    return Promise(math.inf, PRINTED_PANELS)
+    return promise(fabric, hypothesis, loading)
 
 
 CATALOGUE: tuple[Route, ...] = (
