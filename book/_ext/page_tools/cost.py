@@ -2,75 +2,94 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-from typing import Any
+import base64
+from functools import lru_cache
 
-from granular.figures.look import BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, blank, house_style
-from granular.figures.page import Static
-from page_tools.markup import Markup, plain, table
+from granular.cost import timing
+from granular.cost.records import OUTSIDE, PRODUCT
+from granular.figures.cost_chooser import CostChooser
+from granular.figures.cost_data import CostData, MeasuredScene, read_cost_data
+from granular.figures.cost_pareto import pareto
+from granular.figures.files import static_bytes
+from page_tools.cost_tables import prices, rows_table, wanted_table, without_result, worst_spread
+from page_tools.cost_words import alt, caption, finding, kept, overall
+from page_tools.markup import Described, Markup
 
-LOOKS = {"closed_form": ("*", BLUE), "exact": ("P", SKY), "axial": ("o", VERMILION), "sphere": ("s", GREEN),
-         "midpoint": ("v", ORANGE), "certified": ("D", PURPLE)}
-"""Marker and colour of each route."""
-
-LEAST_SHOWN = 1e-17
-"""Errors below this are drawn at the lower edge: they are far below a unit of the last place."""
+DATA = "_data/cost.json"
 
 
-def measured(data: str) -> dict[str, Any]:
-    """Read the stored measurements."""
-    content: dict[str, Any] = json.loads(Path(data).read_text(encoding="utf-8"))
+@lru_cache(maxsize=1)
+def measured(data: str = DATA) -> CostData:
+    """Read the stored measurements once for the page; a file that was left unfinished stops the build."""
+    content = read_cost_data(data)
+    if not content.complete:
+        raise AssertionError(f"{data} is not complete: granular cost --resume --out {data}")
     return content
 
 
-SCENES = ("equal-contacts", "unequal-branches")
-"""Scenes of the figure."""
+def chooser() -> Described:
+    """Show the picture in which a reader picks scene and accuracy."""
+    words = ("Error against time of all routes, with a list of scenes and a slider for the wanted accuracy; the answer "
+             "stands below in words")
+    return Described(CostChooser(measured()), words)
 
 
-def _costs(data: str) -> list[dict[str, Any]]:
-    """Settings of the routes of this package that gave a result."""
-    return [cost for cost in measured(data)["costs"]
-            if cost["scene"] in SCENES and cost["route"] in LOOKS and cost["error"] is not None]
+def price_table() -> Markup:
+    """List what accuracies cost on every scene, and say what it comes to."""
+    data = measured()
+    return Markup(f"{overall(data)} {kept(data)}\n\n{prices(data).text}")
 
 
-@house_style
-def cost_figure(data: str) -> Static:
-    """Draw error against time, a panel for each scene and hypothesis."""
-    costs = _costs(data)
-    panels = list(dict.fromkeys((cost["scene"], cost["hypothesis"]) for cost in costs))
-    figure = blank(height=5.6)
-    axes = figure.subplots(2, 2, sharex=True, sharey=True)
-    for axis, panel in zip(axes.flat, panels, strict=True):
-        for route, (marker, colour) in LOOKS.items():
-            points = [(cost["time_ratio"], max(cost["error"], LEAST_SHOWN)) for cost in costs
-                      if (cost["scene"], cost["hypothesis"]) == panel and cost["route"] == route]
-            if points:
-                axis.loglog(*zip(*points, strict=True), marker, color=colour, markersize=6, label=route,
-                            linestyle="-" if len(points) > 2 else "none", linewidth=0.8)
-        axis.set_title(f"{panel[0]}, {panel[1]}")
-    figure.supylabel("relative error of the worst component", fontsize="medium")
-    figure.supxlabel("time over the closed form in floats", fontsize="medium")
-    handles, names = axes.flat[0].get_legend_handles_labels()
-    figure.legend(handles, names, loc="outside upper center", ncols=6, frameon=False, handletextpad=0.3,
-                  columnspacing=1.0)
-    return Static(figure)
+def of_scene(name: str) -> Markup:
+    """Show a scene: picture, finding, cheapest ways, every measurement, and the command that measures them again."""
+    scenes = measured().of_name(name)
+    if not scenes:
+        raise AssertionError(f"no measurement of {name}")
+    gave_nothing = without_result(scenes)
+    return Markup("\n\n".join([
+        _figure(scenes), *(finding(scene) for scene in scenes), *([gave_nothing] if gave_nothing else []),
+        wanted_table(scenes).text, _folded(scenes), f"```console\n$ granular cost --scene {name}\n```", ""]))
 
 
-def cost_table(data: str, scene: str, hypothesis: str) -> Markup:
-    """List the measurements of one scene and hypothesis."""
-    rows = [[f"`{cost['route']}`", plain(cost["setting"]), str(cost["evaluations"] or "–"), f"{cost['error']:.1e}",
-             f"{cost['time_ratio']:.3g}", f"{100 * cost['spread']:.0f} %"]
-            for cost in _costs(data) if (cost["scene"], cost["hypothesis"]) == (scene, hypothesis)]
-    title = next(one["title"] for one in measured(data)["scenes"] if one["name"] == scene)
-    return table(["route", "setting", "directions", "error", "time ratio", "spread"], rows, align="llrrrr",
-                 label="tab-cost", caption=f"{title}; {hypothesis} hypothesis.", take_away="cost.csv")
+def _figure(scenes: tuple[MeasuredScene, ...]) -> str:
+    """Put the picture into the page itself, so that caption and description can be computed with it."""
+    picture = base64.b64encode(static_bytes(pareto(scenes), "svg")).decode()
+    return (f":::{{figure}} data:image/svg+xml;base64,{picture}\n:name: fig-cost-{scenes[0].name}\n"
+            f":alt: {alt(scenes)}\n\n{caption(scenes)}\n:::")
 
 
-def machine(data: str) -> Markup:
-    """Say where, with which versions and how often it was measured."""
-    content = measured(data)
-    about = content["machine"]
-    packages = ", ".join(f"{name} {about[name]}" for name in ("python", "numpy", "scipy", "python-flint"))
-    return Markup(f"Measured on {about['processor']}, {about['cores']} cores, {about['system']}, with {packages}; "
-                  f"{content['rounds']} rounds, in each of which every setting was timed once, in random order.")
+def _folded(scenes: tuple[MeasuredScene, ...]) -> str:
+    count = sum(len(scene.costs) for scene in scenes)
+    return f"::::{{dropdown}} All {count} measurements\n\n{rows_table(scenes).text}\n::::"
+
+
+def machine() -> Markup:
+    """Say where, with which versions, how often and over which unit it was measured."""
+    data = measured()
+    about = data.machine
+    packages = ", ".join(f"{name} {version}" for name, version in about.items()
+                         if name not in ("processor", "cores", "system", "unit_seconds"))
+    middle, most = worst_spread(data)
+    return Markup(f"Measured on {about['processor']}, {about['cores']} cores, {about['system']}, with {packages}, in "
+                  f"{data.rounds} rounds. The unit is {data.unit}; it takes {1e6 * data.unit_seconds:.3g} µs there. "
+                  f"The spread is {100 * middle:.0f} % in the median and {100 * most:.0f} % at most.")
+
+
+def how() -> Markup:
+    """Describe the measurement by the constants that it runs with."""
+    data = measured()
+    routes = {kind: len({cost.route for scene in data.scenes for cost in scene.costs if cost.kind == kind})
+              for kind in (PRODUCT, OUTSIDE)}
+    settings = sum(len(scene.costs) for scene in data.scenes)
+    digits = min(scene.digits for scene in data.scenes)
+    return Markup(f"""- **What.** {len(data.scenes)} scenes (each hypothesis counted), {routes[PRODUCT]} routes of the
+  library and {routes[OUTSIDE]} ways from outside, {settings} settings in all.
+- **Error.** Of the worst of six components, against certified values with {digits} digits or more.
+- **Time.** Of one evaluation, over that of the unit, which is timed right before it. What else the machine does acts on
+  both.
+- **Rounds.** In each round every setting is timed once, all of them in random order. The time is the median of the
+  rounds, the spread half the distance of the quartiles over it. A short call is repeated for
+  {1e3 * timing.SHORTEST:g} ms; a setting that would take more than {timing.LONGEST:g} s in all takes part in fewer
+  rounds, but in {timing.FEWEST} at least.
+- **Failures.** A setting that fails is a row with its reason. One that warns has its error, and counts as no answer.
+""")
