@@ -25,8 +25,9 @@ if TYPE_CHECKING:
     from granular.routes.work import Work
     from granular.scene import Scene
 
-SCALING_ERROR = 2.0**-52
-"""What the step to pascals adds: a reference stiffness and a product, each rounded once [-]."""
+SCALING_ERROR = 1.5 * 2.0**-52
+"""What the step to pascals adds [-]: a reference stiffness and a product, each rounded once, and what the coordination
+number and the mean stress, which enter with the powers 2/3 and 1/3, have lost to rounding before."""
 
 COARSE = 2.0**-44
 """A rule that knows no axis and errs by more than this may break C1212 = (C1111 - C1122)/2 visibly, and C1212 is then

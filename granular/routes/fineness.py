@@ -110,8 +110,8 @@ def amplification(fabric: AxialFabric, hypothesis: Hypothesis) -> float:
 
     Notes
     -----
-    Accuracy: a bound for errors up to 0.01. Source: Alfa, Xue, Ye, Math. Comp. 71 (2002), entrywise perturbation of
-    diagonally dominant M-matrices.
+    Accuracy: a bound for errors up to 0.01. Source: Alfa, Xue and Ye (2002), entrywise perturbation of diagonally
+    dominant M-matrices.
     """
     cancelling = RANK_FOUR_FACTOR if fabric.density_coefficients()[1] < 0 else 1.0
     if hypothesis is Hypothesis.STATIC:

@@ -112,7 +112,7 @@ def test_every_evaluation_carries_sound_evidence(D33, Dr33, nu, hypothesis):
     result = granular.evaluate(given_scene)
     proved = granular.evaluate(given_scene, route="certified")
     assert result.stiffness.is_positive_definite()
-    assert proved.relative_error < 4e-16
+    assert proved.relative_error < 5e-16  # half a unit of the route and 1.5 units of 2^-52 of the scaling
     for name in COMPONENTS:
         found, exact = result.stiffness.components[name], proved.stiffness.components[name]
         assert abs(found - exact) <= (result.relative_error + proved.relative_error) * exact

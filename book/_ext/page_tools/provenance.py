@@ -23,7 +23,10 @@ DATA_FILES = {
     "_data/sand.csv": "sieve curve made up for the page on grain sizes",
     "_data/sand.toml": "scene with that curve",
     "_data/length_times.json": "measured times of branch lengths",
-    "_data/cost.json": "measured times and errors of every route",
+    "_data/cost.json": "measured times and errors of every way of computing",
+    "_data/promises.json": "results at four wanted accuracies, held against certified values",
+    "_data/choices.json": "measured times of the route that a plan chose and of all others",
+    "_data/nearly_isotropic.toml": "scene of a soil that is nearly isotropic",
 }
 
 
