@@ -7,6 +7,7 @@ from collections.abc import Callable
 from derivations.engineering import engineering, isotropic
 from derivations.equations import equations
 from derivations.fabric import fabric
+from derivations.fabric_kinds import fabric_kinds
 from derivations.forces import contact_forces
 from derivations.gradation import gradation
 from derivations.kinematic import kinematic_constant, kinematic_three
@@ -22,6 +23,7 @@ from derivations.waves import waves
 
 CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     fabric,
+    fabric_kinds,
     equations,
     gradation,
     kinematic_constant,

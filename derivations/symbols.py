@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from itertools import combinations_with_replacement
 
 import sympy as sp
 
@@ -45,7 +46,16 @@ D33, D3333, Dr33 = sp.symbols("D33 D3333 Dr33", real=True)
 e0, e1, e2 = sp.symbols("e0 e1 e2", real=True)
 w0, w1 = sp.symbols("w0 w1", positive=True)
 N11, N33 = sp.symbols("N11 N33", positive=True)
+FIRST_KIND = sp.symbols("N1111 N1112 N1113 N1122 N1123 N1133 N1222 N1223 N1233 N1333 N2222 N2223 N2233 N2333 N3333",
+                        real=True)
 aspect_ratio, varrho = sp.symbols("aspect_ratio varrho", positive=True)
+
+# Fabric without an axis: one symbol for each set of indices, 11, 22, 33, 23, 13, 12 and 1111, 1112, ..., 3333.
+PAIRS = ((1, 1), (2, 2), (3, 3), (2, 3), (1, 3), (1, 2))
+FOURS = tuple(combinations_with_replacement((1, 2, 3), 4))
+NORMALS_2 = tuple(sp.Symbol(f"D{i}{j}", real=True) for i, j in PAIRS)
+NORMALS_4 = tuple(sp.Symbol("D" + "".join(map(str, four)), real=True) for four in FOURS)
+BRANCHES_2 = tuple(sp.Symbol(f"Dr{i}{j}", real=True) for i, j in PAIRS)
 v = sp.Symbol("v", real=True)
 
 # Contacts.
@@ -61,6 +71,7 @@ branch_length, mean_branch_length, W, radius = sp.symbols("ell ell_e W r", posit
 # Moments.
 m0, m1, m2 = sp.symbols("m0 m1 m2", positive=True)
 p0, p1, p2 = sp.symbols("p0 p1 p2", positive=True)
+TENSOR_MOMENTS = tuple(sp.Symbol("M" + "".join(map(str, four)), real=True) for four in FOURS)
 
 # Elasticity.
 C1111, C3333, C2323, C1212 = sp.symbols("C1111 C3333 C2323 C1212", positive=True)
@@ -68,6 +79,10 @@ C1122, C1133 = sp.symbols("C1122 C1133", real=True)
 relaxed_C2323 = sp.Symbol("relaxed_C2323", positive=True)
 S1111, S3333, S2323, S1212 = sp.symbols("S1111 S3333 S2323 S1212", positive=True)
 S1122, S1133 = sp.symbols("S1122 S1133", real=True)
+TWENTY_ONE = tuple(
+    next((known for known in (C1111, C3333, C1122, C1133, C2323, C1212) if known.name == name),
+         sp.Symbol(name, real=True))
+    for name in (f"C{i}{j}{k}{m}" for (i, j), (k, m) in combinations_with_replacement(PAIRS, 2)))
 density = sp.Symbol("density", positive=True)
 sin_squared, cos_squared = sp.symbols("sin_squared cos_squared", nonnegative=True)
 E1, E3, G23, G12, K = sp.symbols("E1 E3 G23 G12 K", positive=True)
@@ -133,6 +148,8 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(w1, r"w_1", "-", "> 0", "branch-length weight at the pole"),
     Quantity(N11, r"N_{11}", "-", "1/5 to 2/5", "horizontal component of the fabric tensor"),
     Quantity(N33, r"N_{33}", "-", "1/5 to 3/5", "vertical component of the fabric tensor"),
+    *(Quantity(c, rf"N_{{{c.name[1:]}}}", "-", "-1 to 1", f"mean of {' '.join(f'n{i}' for i in c.name[1:])} over the "
+               "contacts") for c in FIRST_KIND),
     Quantity(aspect_ratio, r"\chi", "-", "> 0", "semi-axis of a spheroid along axis 3 over the one across"),
     Quantity(varrho, r"\varrho", "-", "> 0", "form linear in y, pole over equator: squared aspect ratio of a spheroid"),
     Quantity(v, r"v", "-", "-1 to 1", "contrast of the roots of the branch-length weight at pole and equator"),
@@ -150,7 +167,16 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(p1, r"p_1", "-", "> 0", "moment of the weight with squared sine and squared cosine"),
     Quantity(p2, r"p_2", "-", "> 0", "moment of the weight with the fourth power of the cosine"),
     *(Quantity(c, rf"C_{{{c.name[1:]}}}", "Pa", "positive definite", f"stiffness component {c.name[1:]}")
-      for c in STIFFNESS),
+      for c in (*STIFFNESS, *(c for c in TWENTY_ONE if c not in STIFFNESS))),
+    *(Quantity(c, rf"D_{{{c.name[1:]}}}", "-", "density not negative",
+               f"component {c.name[1:]} of the contact-normal tensor, traceless") for c in NORMALS_2 if c != D33),
+    *(Quantity(c, rf"D_{{{c.name[1:]}}}", "-", "density not negative",
+               f"component {c.name[1:]} of the contact-normal tensor of rank four, symmetric and traceless")
+      for c in NORMALS_4 if c != D3333),
+    *(Quantity(c, rf"D^{{r}}_{{{c.name[2:]}}}", "-", "branch lengths positive",
+               f"component {c.name[2:]} of the branch tensor, traceless") for c in BRANCHES_2 if c != Dr33),
+    *(Quantity(c, rf"M_{{{c.name[1:]}}}", "-", "any",
+               f"mean of the weight times the normal's components {', '.join(c.name[1:])}") for c in TENSOR_MOMENTS),
     Quantity(relaxed_C2323, r"\tilde C_{2323}", "Pa", "> 0", "stiffness component 2323 when grains are free to spin"),
     *(Quantity(c, rf"S_{{{c.name[1:]}}}", "1/Pa", "positive definite", f"compliance component {c.name[1:]}")
       for c in COMPLIANCE),

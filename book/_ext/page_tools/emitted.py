@@ -7,11 +7,12 @@ from importlib.resources import files
 
 from page_tools.markup import Markup, plain, table
 
-PAGE_OF = {"fabric": "fabric", "equations": "kinematic", "kinematic_constant": "kinematic", "static_constant": "static",
-           "kinematic_three": "kinematic", "static_three": "static", "isotropic": "kinematic",
-           "engineering": "engineering", "waves": "waves", "contact_forces": "forces", "mohr_circle": "sliding",
-           "kinetic_components": "kinetic", "kinetic": "kinetic", "kinetic_limits": "kinetic_limits",
-           "partial_slip": "partial_slip", "gradation": "gradation", "spheroid": "shape"}
+PAGE_OF = {"fabric": "fabric", "fabric_kinds": "fabric_tensors", "equations": "kinematic",
+           "kinematic_constant": "kinematic", "static_constant": "static", "kinematic_three": "kinematic",
+           "static_three": "static", "isotropic": "kinematic", "engineering": "engineering", "waves": "waves",
+           "contact_forces": "forces", "mohr_circle": "sliding", "kinetic_components": "kinetic", "kinetic": "kinetic",
+           "kinetic_limits": "kinetic_limits", "partial_slip": "partial_slip", "gradation": "gradation",
+           "spheroid": "shape"}
 """The page that shows each derivation with its steps."""
 
 
