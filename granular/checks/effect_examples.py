@@ -42,7 +42,7 @@ EXAMPLES = {
     "deviation": "[shape]\naspect_ratio = 0.8",
     "kinetic": FORCES,
     "slip": f"{FRICTION}\n{FORCES}",
-    "opening": "[stress]\ntensor = [[43e3, 0.0, 0.0], [0.0, 43e3, 0.0], [0.0, 0.0, -2e3]]",
+    "opening": "[stress]\ntensor = [[43e3, 0, 0],\n[0, 43e3, 0],\n[0, 0, -2e3]]",
 }
 """Effect -> what is added to the plain scene, as in a scene file. A tensor takes the place of mean and ratio."""
 
