@@ -237,6 +237,62 @@ class BranchesUnusable(GranularError):
     title = "Branch vectors that cannot be"
 
 
+class DirectionNotUnit(GranularError):
+    """A direction of length zero, or one that should have the length 1 and has another."""
+
+    code = "G-FAB-03"
+    title = "A direction that is no unit vector"
+
+
+class TooFewDirections(GranularError):
+    """A list of directions too short for what is asked of it."""
+
+    code = "G-FAB-04"
+    title = "Too few directions"
+
+
+class ContactFileUnusable(GranularError):
+    """A contact file that is damaged, cut off, empty, or not what its name says."""
+
+    code = "G-CON-01"
+    title = "A contact file that cannot be used"
+
+
+class ContactColumnsMissing(GranularError):
+    """A contact list without a column that is needed, or with a part only of columns that belong together."""
+
+    code = "G-CON-02"
+    title = "A contact list without its columns"
+
+
+class ContactValuesMissing(GranularError):
+    """Contacts with a number that is missing or not finite, or a list without contacts."""
+
+    code = "G-CON-03"
+    title = "Contacts with missing values"
+
+
+class ContactImpossible(GranularError):
+    """A contact that two grains cannot have: no branch, no unit normal, tension, a negative stiffness."""
+
+    code = "G-CON-04"
+    title = "Contacts that cannot be"
+
+
+class ContactTwice(GranularError):
+    """The same two bodies touch more than once in a list."""
+
+    code = "G-CON-05"
+    title = "The same contact twice"
+
+
+class TablesMissing(GranularError):
+    """A Parquet file, and the library that reads it is not installed."""
+
+    code = "G-CON-06"
+    title = "Parquet files cannot be read here"
+
+
 class ComplianceInfinite(GranularError):
     """Contacts slide or have opened in some directions, so that the static compliance is infinite."""
 
@@ -340,8 +396,9 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     UnitUnknown, UnitOfOtherDimension, QuantityUnreadable,
     UnknownKey, MissingKey, WrongType, ValueOutOfRange, UnknownChoice, ConflictingKeys, TensorUnusable,
     SymmetryNotBuilt, StressNotCompressive,
-    FabricOutOfRange, BranchesUnusable,
+    FabricOutOfRange, BranchesUnusable, DirectionNotUnit, TooFewDirections,
     CurveMalformed, CurveInPercent, CurveNotMonotone, CurveIncomplete,
+    ContactFileUnusable, ContactColumnsMissing, ContactValuesMissing, ContactImpossible, ContactTwice, TablesMissing,
     ComplianceInfinite,
     RouteOutOfDomain, CertifiedArithmeticMissing,
     IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,

@@ -100,6 +100,26 @@ def curve_with(*rows: str) -> Callable[[], object]:
     return tried
 
 
+def contacts_with(*rows: str) -> Callable[[], object]:
+    """Prepare the reading of a contact list of some rows; its name is the same on every machine."""
+    def tried() -> object:
+        from granular.contacts.summary import summarise
+
+        with tempfile.TemporaryDirectory() as folder, chdir(folder):
+            Path("contacts.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+            return summarise("contacts.csv", volume=1e-6)
+    return tried
+
+
+def parquet_without_its_library() -> object:
+    """Open what begins as a Parquet file where pyarrow is not installed."""
+    from granular.contacts.files import open_table
+
+    with tempfile.TemporaryDirectory() as folder, chdir(folder), patch.dict(sys.modules, {"pyarrow": None}):
+        Path("contacts.parquet").write_bytes(b"PAR1")
+        return open_table("contacts.parquet")
+
+
 def without(module: str, attempt: Callable[[], object]) -> Callable[[], object]:
     """Prepare an attempt on a machine where a module is not installed."""
     def tried() -> object:

@@ -1,0 +1,168 @@
+"""Contacts by the angle of their normal from axis 3: how many, how long, what they carry, how stiff they are."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from granular.contacts.block import ContactBlock
+
+    Array = NDArray[np.float64]
+
+STEP = 5
+"""Width of a class of angles [degrees]."""
+
+CLASSES = 90 // STEP
+
+QUANTITIES = ("x2", "length", "inverse_length", "normal_force", "shear_force", "kn", "ks")
+"""What is averaged in each class: cos^2 [-], l [m], 1/l [1/m], fn and fs [N], kn and ks [N/m]."""
+
+
+class ByAngle:
+    """Sums in classes of five degrees from 0 to 90, n and -n being one contact.
+
+    Attributes
+    ----------
+    contacts : (18,) array
+        Contacts in each class [-].
+    """
+
+    def __init__(self) -> None:
+        """Begin without contacts."""
+        import numpy as np
+
+        self.contacts = np.zeros(CLASSES)
+        self._sums = {name: np.zeros((2, CLASSES)) for name in QUANTITIES}
+        self._given: set[str] = set()
+
+    def add(self, block: ContactBlock, stiffness: tuple[Array, Array] | None) -> None:
+        """Take some more contacts.
+
+        Parameters
+        ----------
+        block : ContactBlock
+            The contacts.
+        stiffness : pair of (n,) array, or None
+            kn and ks of each [N/m].
+
+        Notes
+        -----
+        Source: the angle of a line from an axis.
+        """
+        import numpy as np
+
+        cosine = np.abs(block.normal[2])
+        across = np.hypot(block.normal[0], block.normal[1])
+        place = np.minimum((np.degrees(np.arctan2(across, cosine)) / STEP).astype(np.int64), CLASSES - 1)
+        length = np.sqrt(np.sum(block.branch**2, axis=0))
+        values: dict[str, Array | None] = {
+            "x2": cosine**2, "length": length, "inverse_length": 1 / length, "normal_force": block.normal_force,
+            "shear_force": None if block.shear_force is None else np.sqrt(np.sum(block.shear_force**2, axis=0)),
+            "kn": None if stiffness is None else stiffness[0], "ks": None if stiffness is None else stiffness[1]}
+        self.contacts += np.bincount(place, minlength=CLASSES)
+        for name, value in values.items():
+            if value is not None:
+                self._given.add(name)
+                self._sums[name] += [np.bincount(place, power, CLASSES) for power in (value, value**2)]
+
+    def merged(self, by: int) -> ByAngle:
+        """The same in wider classes.
+
+        Parameters
+        ----------
+        by : int
+            How many classes become one [-], a divisor of 18.
+
+        Returns
+        -------
+        ByAngle
+            With 18/by classes.
+
+        Notes
+        -----
+        Source: sums add.
+        """
+        wide = ByAngle()
+        wide.contacts = self.contacts.reshape(-1, by).sum(axis=1)
+        wide._sums = {name: sums.reshape(2, -1, by).sum(axis=2) for name, sums in self._sums.items()}
+        wide._given = set(self._given)
+        return wide
+
+    @property
+    def degrees(self) -> Array:
+        """Edges of the classes [degrees], one more than there are classes."""
+        import numpy as np
+
+        return np.linspace(0.0, 90.0, self.contacts.size + 1)
+
+    def mean(self, name: str) -> Array | None:
+        """Mean of a quantity in each class.
+
+        Parameters
+        ----------
+        name : str
+            One of ``QUANTITIES``.
+
+        Returns
+        -------
+        (k,) array or None
+            Means [SI]; NaN in a class without contacts, None where the list does not give the quantity.
+
+        Notes
+        -----
+        Source: the arithmetic mean.
+        """
+        import numpy as np
+
+        if name not in self._given:
+            return None
+        with np.errstate(invalid="ignore"):
+            found: Array = self._sums[name][0] / self.contacts
+        return found
+
+    def scatter(self, name: str) -> Array | None:
+        """Standard deviation of a quantity in each class.
+
+        Parameters
+        ----------
+        name : str
+            One of ``QUANTITIES``.
+
+        Returns
+        -------
+        (k,) array or None
+            Standard deviations over the contacts of the class [SI]; as ``mean``.
+
+        Notes
+        -----
+        Accuracy: 1e-8 of the mean, for squares are subtracted. Source: the second moment.
+        """
+        import numpy as np
+
+        mean = self.mean(name)
+        if mean is None:
+            return None
+        with np.errstate(invalid="ignore"):
+            found: Array = np.sqrt(np.maximum(self._sums[name][1] / self.contacts - mean**2, 0.0))
+        return found
+
+    def relative_density(self) -> Array:
+        """Contacts of each class over those that an isotropic list of the same number would have.
+
+        Returns
+        -------
+        (k,) array
+            4 pi E averaged over the class [-].
+
+        Notes
+        -----
+        Source: the share of the sphere between two angles, the difference of their cosines.
+        """
+        import numpy as np
+
+        share = -np.diff(np.cos(np.radians(self.degrees)))
+        found: Array = self.contacts / (self.contacts.sum() * share)
+        return found

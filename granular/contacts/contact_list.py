@@ -1,0 +1,110 @@
+"""A contact list as it is read: block by block, checked, in memory that does not grow with the file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from granular.contacts.columns import Columns, columns_of
+from granular.contacts.files import open_table
+from granular.contacts.pairs import Pairs
+from granular.contacts.soundness import check, finite_rows, refuse_missing
+from granular.errors import ContactValuesMissing
+from granular.units import shown_path
+
+if TYPE_CHECKING:
+    from granular.contacts.block import ContactBlock
+
+
+class ContactList:
+    """A file of contacts, opened and not yet read.
+
+    Parameters
+    ----------
+    path : str or path-like
+        CSV or white-space text (both also with gzip), Parquet, or a dump of LAMMPS or LIGGGHTS.
+    columns : mapping, optional
+        Native name -> name in the file, for columns that are named otherwise.
+    step : int, optional
+        Time step of a dump [-]; the last one by default.
+    spheres_only : bool
+        Take missing normals along the branches.
+    drop_bad : bool
+        Leave out contacts with a number that is missing or not finite, and count them.
+
+    Attributes
+    ----------
+    name : str
+        Name of the file, for messages.
+    columns : Columns
+        Which column holds what.
+    read, dropped : int
+        Contacts taken and left out so far [-].
+
+    Raises
+    ------
+    FileUnreadable, ContactFileUnusable, TablesMissing
+        The file cannot be used.
+    ContactColumnsMissing, BadOption
+        A column or a time step is not there.
+
+    Examples
+    --------
+    >>> from granular.contacts.example import example_path
+    >>> sum(block.size for block in ContactList(example_path()).blocks())
+    5753
+    """
+
+    def __init__(self, path: str | os.PathLike[str], *, columns: Mapping[str, str] | None = None,
+                 step: int | None = None, spheres_only: bool = False, drop_bad: bool = False) -> None:
+        """Open the file and find its columns."""
+        self.name = shown_path(os.fspath(path))
+        self._table, self._drop_bad = open_table(path, step=step), drop_bad
+        self.columns: Columns = columns_of(self._table.columns, columns or {}, file=self.name,
+                                           spheres_only=spheres_only)
+        self.read = self.dropped = 0
+
+    def blocks(self) -> Iterator[ContactBlock]:
+        """Read all contacts, some at a time.
+
+        Returns
+        -------
+        iterator of ContactBlock
+            Checked blocks; at the end it is known that no pair came twice.
+
+        Raises
+        ------
+        ContactFileUnusable
+            The file is damaged or cut off.
+        ContactValuesMissing
+            A number is missing and may not be left out, or there is no contact at all.
+        ContactImpossible, ContactTwice
+            Contacts that cannot be.
+
+        Notes
+        -----
+        Accuracy: numbers as they stand in the file. Source: a policy of this package.
+        """
+        import numpy as np
+
+        self.read = self.dropped = 0
+        pairs = Pairs(self.name)
+        for rows in self._table.chunks(self.columns.wanted):
+            first = self.read + self.dropped + 1
+            sound = finite_rows(rows)
+            if not (sound.all() or self._drop_bad):
+                refuse_missing(rows, self.columns.wanted, file=self.name, first=first)
+            block = self.columns.block(rows if sound.all() else rows[:, sound])
+            self.dropped += int(sound.size - block.size)
+            check(block, file=self.name, numbers=first + np.flatnonzero(sound))
+            if block.spheres is not None:
+                pairs.add(block.spheres)
+            self.read += block.size
+            if block.size:
+                yield block
+        if not self.read:
+            left_out = f" ({self.dropped} left out)" if self.dropped else ""
+            raise ContactValuesMissing(f"{self.name} has no contact{left_out}", allowed="needed: at least one",
+                                       remedy="Export the contacts again.")
+        pairs.refuse_twice()

@@ -1,0 +1,141 @@
+"""What two grains in contact cannot have: every row of a list is checked before it takes part in a sum."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NoReturn
+
+from granular.errors import ContactImpossible, ContactValuesMissing
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from granular.contacts.block import ContactBlock
+
+    Array = NDArray[np.float64]
+
+UNIT = 1e-5
+"""How far the length of a normal may be from 1 [-]: six written digits keep within a twentieth of that."""
+
+REACH = 1e-5
+"""How far apart two spheres may be, over the sum of their radii [-]: a branch of six digits is no better."""
+
+
+def finite_rows(rows: Array) -> NDArray[np.bool_]:
+    """Tell which contacts have all their numbers.
+
+    Parameters
+    ----------
+    rows : (k, n) array
+        Columns of a list, one a row [any unit].
+
+    Returns
+    -------
+    (n,) array of bool
+        True where all are finite [-].
+
+    Notes
+    -----
+    Source: a number that is not finite makes every sum so.
+    """
+    import numpy as np
+
+    return np.asarray(np.isfinite(rows).all(axis=0))
+
+
+def refuse_missing(rows: Array, columns: tuple[str, ...], *, file: str, first: int) -> NoReturn:
+    """Refuse contacts that lack a number.
+
+    Parameters
+    ----------
+    rows : (k, n) array
+        Columns of a list, one a row [any unit]; some contact lacks a number.
+    columns : tuple of str
+        Their names in the file.
+    file : str
+        Name of the file, for messages.
+    first : int
+        Number of the first of these contacts in the list, from 1.
+
+    Raises
+    ------
+    ContactValuesMissing
+        Always, with the number of contacts among these and the first of them.
+
+    Notes
+    -----
+    Source: a policy of this package.
+    """
+    import numpy as np
+
+    bad = ~finite_rows(rows)
+    contact = int(np.argmax(bad))
+    column = int(np.argmax(~np.isfinite(rows[:, contact])))
+    raise ContactValuesMissing(
+        f"{file}: {_counted(int(bad.sum()))} with a value that is missing or not finite among contacts {first} to "
+        f"{first + bad.size - 1}, first {columns[column]} = {rows[column, contact]} of contact {first + contact}",
+        allowed="allowed finite numbers", remedy="Find out why, or leave such contacts out with --drop-bad.")
+
+
+def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None:
+    """Refuse contacts that two grains cannot have.
+
+    Parameters
+    ----------
+    block : ContactBlock
+        Contacts; all their numbers are finite.
+    file : str
+        Name of the file, for messages.
+    numbers : (n,) array of int
+        Number of each contact in the list, from 1 [-].
+
+    Raises
+    ------
+    ContactImpossible
+        A branch without length; a normal that is no unit vector or points against the branch; a tension; spheres that
+        do not reach each other; a radius, an overlap or a stiffness that cannot be.
+
+    Notes
+    -----
+    Spheres that do not reach each other are looked for only where each grain is a sphere, for the branch of a clump
+    does not end in the centres of its spheres. Source: geometry; tolerances are for numbers of six digits.
+    """
+    import numpy as np
+
+    def refuse(bad: NDArray[np.bool_], what: str, value: Callable[[int], str], allowed: str, remedy: str) -> None:
+        if bad.any():
+            worst = int(np.argmax(bad))
+            raise ContactImpossible(f"{file}: {_counted(int(bad.sum()))} with {what}, first contact {numbers[worst]} "
+                                    f"with {value(worst)}", allowed=f"allowed {allowed}", remedy=remedy)
+
+    length = np.sqrt(np.sum(block.branch**2, axis=0))
+    unit = np.sqrt(np.sum(block.normal**2, axis=0))
+    along = np.sum(block.branch * block.normal, axis=0)
+    refuse(length == 0, "a branch of no length", lambda k: "l = 0", "l > 0",
+           "Give the vector from grain centre to grain centre; a wall has none.")
+    refuse(np.abs(unit - 1) > UNIT, "a normal that is no unit vector", lambda k: f"|n| = {unit[k]:.7g}",
+           f"|n| = 1 within {UNIT:g}", "Check which columns are n1 n2 n3, and write them with at least six digits.")
+    refuse(along <= 0, "a branch against its normal", lambda k: f"l.n = {along[k]:.4g} m", "l.n > 0",
+           "Let both point from the first grain to the second: change the sign of one of them.")
+    for name, array in (("kn", block.kn), ("R1 R2", None if block.radii is None else block.radii.min(axis=0))):
+        if array is not None:
+            refuse(array <= 0, f"{name} that is not positive", lambda k, a=array: f"{a[k]:.4g}", "positive values",  # type: ignore[misc]
+                   "Check which column it is; leave out contacts that carry nothing.")
+    if (shear := block.ks) is not None:
+        refuse(shear < 0, "ks below zero", lambda k: f"{shear[k]:.4g}", "ks >= 0", "Check which column it is.")
+    if (force := block.normal_force) is not None:
+        refuse(force < 0, "a tensile force", lambda k: f"fn = {force[k]:.4g} N", "fn >= 0, compression positive",
+               "Change the sign if the program counts tension positive; leave out contacts that are held by cohesion.")
+    if (overlap := block.overlap) is not None:
+        refuse(overlap < 0, "a negative overlap", lambda k: f"overlap = {overlap[k]:.4g} m", "overlap >= 0",
+               "Leave out pairs that do not touch.")
+    if (radii := block.radii) is not None and not block.has_clumps:
+        gap = length - radii.sum(axis=0)
+        refuse(gap > REACH * radii.sum(axis=0), "grains that do not reach each other",
+               lambda k: f"l = {length[k]:.7g} m for R1 + R2 = {radii[:, k].sum():.7g} m", "l <= R1 + R2",
+               "Add the period to branches across a periodic boundary; leave out pairs that do not touch.")
+
+
+def _counted(number: int) -> str:
+    return f"{number} contact" if number == 1 else f"{number} contacts"

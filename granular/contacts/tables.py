@@ -1,0 +1,117 @@
+"""What a reader of contact files gives: the names of its columns, and their numbers some rows at a time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Protocol
+
+from granular.errors import ContactFileUnusable
+from granular.units import shown
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+ROWS = 1 << 15
+"""Rows read at a time."""
+
+_MISSING = {"", "na", "n/a", "nan", "-nan", "null", "none", "-nan(ind)"}
+"""What programs write where they have no number."""
+
+
+class ContactTable(Protocol):
+    """A file of contacts, opened.
+
+    Attributes
+    ----------
+    columns : tuple of str
+        Names in the file.
+    """
+
+    columns: tuple[str, ...]
+
+    def chunks(self, wanted: Sequence[str]) -> Iterator[Array]:
+        """Read the columns some rows at a time.
+
+        Parameters
+        ----------
+        wanted : sequence of str
+            Names in the file.
+
+        Returns
+        -------
+        iterator of (k, n) array
+            One column a row, as the file has them [its own units]; NaN where a number is missing.
+        """
+        ...
+
+
+def parsed(lines: Sequence[str], places: Sequence[int], columns: Sequence[str], *, separator: str | None, file: str,
+           first_line: int) -> Array:
+    """Turn lines of text into numbers.
+
+    Parameters
+    ----------
+    lines : sequence of str
+        Some rows; empty ones are passed over.
+    places : sequence of int
+        Which columns are wanted, from 0.
+    columns : sequence of str
+        Names of all columns.
+    separator : str or None
+        What parts the columns; None for white space.
+    file : str
+        Name of the file, for messages.
+    first_line : int
+        Number of the first of these lines in the file, from 1.
+
+    Returns
+    -------
+    (k, n) array
+        The wanted columns [their own units].
+
+    Raises
+    ------
+    ContactFileUnusable
+        A row has another number of columns than the header, or a cell is no number.
+
+    Notes
+    -----
+    Accuracy: numbers are rounded once. Source: a format of rows and columns.
+
+    Examples
+    --------
+    >>> parsed(["1,2,3", "4,,6"], [0, 1], ["a", "b", "c"], separator=",", file="x.csv", first_line=2).tolist()
+    [[1.0, 4.0], [2.0, nan]]
+    """
+    import numpy as np
+
+    for number, line in enumerate(lines, start=first_line):
+        cells = line.count(separator) + 1 if separator is not None else len(line.split())
+        if cells != len(columns) and line.strip():
+            raise ContactFileUnusable(
+                f"{file}, line {number} has {cells} column{'' if cells == 1 else 's'}",
+                allowed=f"the header names {len(columns)}",
+                remedy="The file may have been cut off while it was written: copy or export it again.")
+    if not any(line.strip() for line in lines):
+        return np.empty((len(places), 0))
+    try:
+        rows = np.loadtxt(lines, delimiter=separator, usecols=list(places), ndmin=2, comments=None)
+    except ValueError:
+        rows = np.array([[_number(line, place, columns, separator, f"{file}, line {number}") for place in places]
+                         for number, line in enumerate(lines, start=first_line) if line.strip()])
+    return np.ascontiguousarray(rows.T)
+
+
+def _number(line: str, place: int, columns: Sequence[str], separator: str | None, where: str) -> float:
+    cell = line.split(separator)[place].strip().strip('"')
+    try:
+        return float(cell)
+    except ValueError:
+        if cell.lower() in _MISSING:
+            return math.nan
+    raise ContactFileUnusable(f"{where}: {columns[place]} is {shown(cell)}", allowed="allowed a number",
+                              remedy="Correct that cell, or say which column is which with --column.")
