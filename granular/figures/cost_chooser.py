@@ -32,6 +32,10 @@ PLOTLY_MARKERS = {"D": "diamond", "o": "circle", "s": "square", "P": "cross", "^
                   "X": "x", "*": "star", "x": "x-thin-open", "+": "cross-thin-open"}
 """The same markers by the names that plotly has for them; open ones are made by adding ``-open``."""
 
+FULL = {"D": "◆", "o": "●", "s": "■", "P": "✚", "^": "▲", "v": "▼", "X": "✖"}
+OPEN = {"D": "◇", "o": "○", "s": "□", "^": "△", "x": "×", "+": "+", "*": "☆"}
+"""The same markers as letters."""
+
 
 @dataclass(frozen=True, slots=True)
 class Answer:
@@ -139,7 +143,7 @@ def power(value: float) -> str:
 
 
 def _route(cost: Cost) -> str:
-    return f"<code>{escape(cost.route)}</code>, {escape(cost.setting)},"
+    return f"<code>{escape(cost.route)}</code>, {escape(cost.setting.replace('e-0', 'e-'))},"
 
 
 def _directions(cost: Cost) -> str:
@@ -196,11 +200,10 @@ class CostChooser:
                                        zip([*state["traces"], *state["answers"][wanted]["marks"]],
                                            [*_looks(*self._names()), *_mark_looks()], strict=True)])
         figure.update_layout(**plotly_layout(
-            height=520, margin={"l": 10, "r": 10, "t": 10, "b": 10}, hovermode="closest",
-            legend={"orientation": "h", "y": -0.16, "yanchor": "top", "x": 0, "xanchor": "left", "font": {"size": 12}},
+            height=440, margin={"l": 10, "r": 10, "t": 10, "b": 10}, hovermode="closest", showlegend=False,
             xaxis={"title": {"text": "time over that of the unit [–]"}, "type": "log", "range": list(self._decades()),
                    "exponentformat": "power", "dtick": 1, "zeroline": False},
-            yaxis={"title": {"text": "relative error of the worst component [–]"}, "type": "log", "range": [-17.3, 1],
+            yaxis={"title": {"text": "relative error of worst component [–]"}, "type": "log", "range": [-17.3, 1],
                    "exponentformat": "power", "dtick": 4, "tick0": -16, "zeroline": False}))
         return figure
 
@@ -215,6 +218,18 @@ class CostChooser:
         times = [time_of(cost) for scene in self.data.scenes for cost in scene.results]
         return math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
 
+    def _legend(self) -> str:
+        """What marks stand for, as words that wrap on a narrow page."""
+        own, families = self._names()
+        looks = [(*LOOKS.get(name, OTHER_LOOK), name) for name in own]
+        marks = [*((FULL.get(marker, "●"), colour, name) for marker, colour, name in looks),
+                 *((OPEN.get(marker, "○"), PALE, family) for family, marker in families.items()),
+                 ("◯", INK, "the paper's rule"), ("⌐", INK, "front"), ("★", INK, "stated beforehand"),
+                 ("☆", INK, "outside, in hindsight")]
+        return '<p class="legend">' + " ".join(
+            f'<span><span aria-hidden="true" style="color:{colour}">{glyph}</span> {escape(text)}</span>'
+            for glyph, colour, text in marks) + "</p>"
+
     def _repr_html_(self) -> str:
         place, wanted = self.start
         states = self.states()
@@ -226,7 +241,7 @@ class CostChooser:
                 f'<div class="controls"><label>Scene <select>{options}</select></label>'
                 f'<label>Accuracy <input type="range" min="0" max="{len(ACCURACIES) - 1}" step="1" value="{wanted}" '
                 f'aria-label="wanted accuracy"/> <output class="wanted">{power(ACCURACIES[wanted])}</output></label>'
-                f"</div>{Interactive(self.figure(), self.name)._repr_html_()}"
+                f"</div>{Interactive(self.figure(), self.name)._repr_html_()}{self._legend()}"
                 f'<p class="answer" aria-live="polite">{states[place]["answers"][wanted]["words"]}</p>'
                 f'<script type="application/json">{content}</script>'
                 f"<script>{SCRIPT.replace('NAME', self.name)}</script></div>")
@@ -236,8 +251,10 @@ _STYLE = """
 .cost-chooser .controls { display: flex; flex-wrap: wrap; gap: .4rem 1.4rem; padding: .4rem 0; font-size: .9rem; }
 .cost-chooser label { display: flex; align-items: center; gap: .5rem; margin: 0; min-width: 0; max-width: 100%; }
 .cost-chooser select { min-width: 0; max-width: 25rem; flex: 1 1 auto; font: inherit; padding: .15rem .3rem; }
+.cost-chooser .legend { display: flex; flex-wrap: wrap; gap: .1rem 1.1rem; margin: .2rem 0; font-size: .82rem; }
+.cost-chooser .legend > span { white-space: nowrap; }
 .cost-chooser output { min-width: 3.2rem; } .cost-chooser .answer { min-height: 6.5rem; margin: .6rem 0 0; }
-html[data-theme="dark"] .cell_output .text_html .cost-chooser :is(.controls, .answer, .answer strong) {
+html[data-theme="dark"] .cell_output .text_html .cost-chooser :is(.controls, .legend, .answer, .answer strong) {
   color: #1a1a1a; } .cost-chooser .answer :is(b, strong, code) { color: inherit; }
 @media print { .cost-chooser { display: none; } }
 """.replace("\n", " ")
@@ -305,7 +322,7 @@ def _open(symbol: str) -> str:
 
 def _mark_looks() -> list[dict[str, Any]]:
     hover = {"hovertemplate": "%{customdata}<extra></extra>"}
-    return [{"name": "promised", "mode": "markers", "marker": {"symbol": "star", "size": 19, "color": INK,
+    return [{"name": "stated beforehand", "mode": "markers", "marker": {"symbol": "star", "size": 19, "color": INK,
                                                                "line": {"width": 1, "color": "white"}}, **hover},
             {"name": "outside, in hindsight", "mode": "markers",
              "marker": {"symbol": "star-open", "size": 17, "color": INK, "line": {"width": 1.5}}, **hover},

@@ -158,13 +158,15 @@ def by_family(scene: MeasuredScene) -> dict[str, tuple[str, list[Cost]]]:
     return found
 
 
-def size(value: float) -> str:
-    """Write a number of any size in three digits, as print does.
+def size(value: float, digits: int = 3) -> str:
+    """Write a number of any size as print does.
 
     Parameters
     ----------
     value : float
         A time or a factor [-], > 0.
+    digits : int
+        Digits that count [-].
 
     Returns
     -------
@@ -177,11 +179,11 @@ def size(value: float) -> str:
 
     Examples
     --------
-    >>> size(2.977), size(36730.0), size(4007000.0), size(0.5312)
-    ('2.98', '36 700', '4.01e+06', '0.531')
+    >>> size(2.977), size(36730.0), size(4007000.0), size(0.5312, 2), size(0.9996)
+    ('2.98', '36 700', '4.01e+06', '0.53', '1.00')
     """
-    if not 0.001 <= value < 1e6:
-        return f"{value:.3g}"
-    digits = max(0, 2 - math.floor(math.log10(value)))
-    rounded = round(value, 2 - math.floor(math.log10(value)))
-    return f"{rounded:,.{digits}f}".replace(",", " ")
+    rounded = float(f"{value:.{digits - 1}e}")
+    if not 0.001 <= rounded < 1e6:
+        return f"{value:.{digits}g}"
+    places = max(0, digits - 1 - math.floor(math.log10(rounded)))
+    return f"{rounded:,.{places}f}".replace(",", " ")

@@ -11,7 +11,7 @@ from granular.figures.cost_chooser import CostChooser
 from granular.figures.cost_data import CostData, MeasuredScene, read_cost_data
 from granular.figures.cost_pareto import pareto
 from granular.figures.files import static_bytes
-from page_tools.cost_tables import prices, rows_table, wanted_table, without_result, worst_spread
+from page_tools.cost_tables import failures, prices, rows_table, wanted_table, without_result, worst_spread
 from page_tools.cost_words import alt, caption, finding, kept, overall
 from page_tools.markup import Described, Markup
 
@@ -60,7 +60,9 @@ def _figure(scenes: tuple[MeasuredScene, ...]) -> str:
 
 def _folded(scenes: tuple[MeasuredScene, ...]) -> str:
     count = sum(len(scene.costs) for scene in scenes)
-    return f"::::{{dropdown}} All {count} measurements\n\n{rows_table(scenes).text}\n::::"
+    tables = "\n\n".join(rows_table(scene).text for scene in scenes)
+    reasons = "\n".join(failures(scenes))
+    return f"::::{{dropdown}} All {count} measurements\n\n{tables}\n\n{reasons}\n::::"
 
 
 def machine() -> Markup:

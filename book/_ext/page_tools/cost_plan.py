@@ -38,23 +38,25 @@ def choice_table(data: str = CHOICES) -> Markup:
     """List how long the plan's route takes over the cheapest that would have done, by kind of scene and by accuracy."""
     content = _read(data)
     near, whole = content["near"], content["all"]
-    rows = [_choice(f"**{text}**", group) for text, group in [("all", whole)]]
-    rows += [_choice(decade(group["rtol"]), group) for group in content["by_rtol"]]
-    rows += [_choice(plain(group["kind"]), group) for group in content["by_kind"]]
+    groups = [("**all**", "all", whole),
+              *((decade(group["rtol"]), f"rtol {group['rtol']:g}", group) for group in content["by_rtol"]),
+              *((plain(group["kind"]), group["kind"], group) for group in content["by_kind"])]
+    rows = [_choice(shown, group) for shown, _, group in groups]
+    taken = [["choices", *whole], *([name, *(_taken(group[key]) for key in whole)] for _, name, group in groups)]
     grid = table(["choices", "number", f"within {near:g}", "median", "worst", "with the plan"], rows,
-                 label="tab-cost-choices", align="lrrrrr", take_away="choices.csv",
+                 label="tab-cost-choices", align="lrrrrr", take_away="choices.csv", taken=taken,
                  caption="Time of the plan's route over that of the cheapest route that is accurate enough: share "
                          f"within {near:g} times, median and worst. Last column: median time of planning and "
                          "evaluating over that of the route alone.")
     about = content["machine"]
     return Markup(f"Of {whole['choices']} choices on {content['scenes']} random scenes, {_share(whole['share'])} take "
                   f"at most {near:g} times as long as the cheapest route whose true error is small enough; the "
-                  f"median is {whole['median']:.2f}, the worst {whole['worst']:.3g}.\n\n{grid.text}\n{_again(content)} "
+                  f"median is {whole['median']:.2f}, the worst {whole['worst']:.2f}.\n\n{grid.text}\n{_again(content)} "
                   f"Times of the processor on {about['processor']}, the best of {content['rounds']} rounds or more.")
 
 
 def _choice(name: str, group: dict[str, Any]) -> list[str]:
-    return [name, str(group["choices"]), _share(group["share"]), f"{group['median']:.2f}", f"{group['worst']:.3g}",
+    return [name, str(group["choices"]), _share(group["share"]), f"{group['median']:.2f}", f"{group['worst']:.2f}",
             f"{group['planned_over_chosen']:.2f}"]
 
 
@@ -70,7 +72,7 @@ def _worst(group: dict[str, Any] | None) -> str:
     refused = f" ({group['refused']})" if group["refused"] else ""
     if group["refused"] == group["count"]:
         return f"refused{refused}"
-    text = "no number" if over is None else short(over) if over < 0.001 else f"{over:.2g}"
+    text = "no number" if over is None else short(over) if over < 0.001 else f"{over:#.2g}"
     return f"**{text}**{refused}" if group["misses"] else f"{text}{refused}"
 
 

@@ -24,6 +24,8 @@ COLUMNS: tuple[tuple[str, Callable[[MeasuredScene, float], Cost | None]], ...] =
 PRICES = (WANTED[0], WANTED[1], WANTED[-1])
 """Accuracies in the table of all scenes [-]."""
 
+NO_BREAK = "\N{NO-BREAK SPACE}"
+
 
 def prices(data: CostData) -> Markup:
     """List what three accuracies cost on every scene, and the cheapest outside way at the second of them."""
@@ -48,15 +50,15 @@ def prices(data: CostData) -> Markup:
 
 
 def _cell(cost: Cost | None) -> str:
-    return f"{size(time_of(cost))} `{cost.route}`" if cost else "–"
+    return f"{size(time_of(cost))}<br>`{cost.route}`" if cost else "–"
 
 
 def wanted_table(scenes: Sequence[MeasuredScene]) -> Markup:
     """List for each accuracy the cheapest way of the library and from outside."""
     several = len(scenes) > 1
-    rows = [[*([str(scene.hypothesis)] if several else []), decade(wanted),
+    rows = [[f"{scene.hypothesis}<br>{decade(wanted)}" if several else decade(wanted),
              *(_way(find(scene, wanted)) for _, find in COLUMNS)] for scene in scenes for wanted in WANTED]
-    heads = [*(["hypothesis"] if several else []), "wanted", *(name for name, _ in COLUMNS)]
+    heads = ["wanted", *(name for name, _ in COLUMNS)]
     taken = [["hypothesis", "wanted", *(f"{name}: {what}" for name, _ in COLUMNS
                                         for what in ("route", "setting", "time ratio", "error"))],
              *([str(scene.hypothesis), f"{wanted:g}", *(text for _, find in COLUMNS
@@ -69,31 +71,30 @@ def wanted_table(scenes: Sequence[MeasuredScene]) -> Markup:
 
 
 def _way(cost: Cost | None) -> str:
-    return f"{route(cost)}, {setting(cost)}<br>{size(time_of(cost))} · {short(cost.error)}" if cost else "–"
+    if cost is None:
+        return "–"
+    name = setting(cost).replace(" ", NO_BREAK)
+    return f"{route(cost)}, {name}<br>{size(time_of(cost))}{NO_BREAK}· {short(cost.error)}"
 
 
 def _four(cost: Cost | None) -> list[str]:
     return [cost.route, cost.setting, f"{cost.time_ratio:g}", f"{cost.error:g}"] if cost else [""] * 4
 
 
-def rows_table(scenes: Sequence[MeasuredScene]) -> Markup:
-    """List every measurement of a scene; those without a result follow as a list of reasons."""
-    several, name = len(scenes) > 1, scenes[0].name
-    results = [(scene, cost) for scene in scenes for cost in scene.results]
-    rows = [[*([str(scene.hypothesis)] if several else []), route(cost) + (" °" if cost.kind == OUTSIDE else ""),
-             setting(cost) + (" (paper)" if cost.paper else "") + (" †" if cost.failure else ""), short(cost.error),
-             short(cost.promised), str(cost.evaluations or "–"), size(time_of(cost)), _spread(cost), str(cost.count)]
-            for scene, cost in results]
-    heads = [*(["hypothesis"] if several else []), "route", "setting", "error", "stated", "directions", "time",
-             "spread", "count"]
-    taken = [["hypothesis", "route", "kind", "setting", "paper", "error", "stated", "directions", "time ratio",
-              "spread", "count", "failure"], *(_everything(scene, cost) for scene in scenes for cost in scene.costs)]
-    grid = table(heads, rows, label=f"tab-cost-{name}", align=("l" if several else "") + "llrrrrrr", taken=taken,
-                 take_away=f"cost-{name}.csv",
-                 caption=f"Every measurement of the scene `{name}`. From outside: °. With a warning: †. A dash for an "
-                         "error that is not stated, or a formula that needs no directions.")
-    reasons = "\n".join(failures(scenes))
-    return Markup(f"{grid.text}\n{reasons}\n")
+def rows_table(scene: MeasuredScene) -> Markup:
+    """List every measurement of a scene under one hypothesis."""
+    rows = [[f"{route(cost)}{NO_BREAK}°" if cost.kind == OUTSIDE else route(cost),
+             setting(cost).replace(" ", NO_BREAK) + " (paper)" * cost.paper + f"{NO_BREAK}†" * bool(cost.failure),
+             short(cost.error), short(cost.promised), str(cost.evaluations or "–"),
+             f"{size(time_of(cost))} ± {_spread(cost)}", str(cost.count)] for cost in scene.results]
+    taken = [["route", "kind", "setting", "paper", "error", "stated", "directions", "time ratio", "spread", "count",
+              "failure"], *(_everything(cost) for cost in scene.costs)]
+    return table(["route", "setting", "error", "stated", "directions", "time ± spread", "count"], rows,
+                 label=f"tab-cost-{scene.name}-{scene.hypothesis}", align="llrrrrr", taken=taken,
+                 take_away=f"cost-{scene.name}-{scene.hypothesis}.csv",
+                 caption=f"Every measurement of `{scene.name}`, {scene.hypothesis} hypothesis. From outside: °. With a "
+                         "warning: †. A dash for an error that is not stated, or a formula that needs no directions. "
+                         "The file has those without a result, too.")
 
 
 def failures(scenes: Sequence[MeasuredScene]) -> Iterator[str]:
@@ -124,9 +125,9 @@ def _spread(cost: Cost) -> str:
     return "–" if cost.spread is None else f"{100 * cost.spread:.0f} %"
 
 
-def _everything(scene: MeasuredScene, cost: Cost) -> list[str]:
+def _everything(cost: Cost) -> list[str]:
     values = (cost.error, cost.promised, cost.evaluations, cost.time_ratio, cost.spread)
-    return [str(scene.hypothesis), cost.route, cost.kind, cost.setting, "yes" if cost.paper else "",
+    return [cost.route, cost.kind, cost.setting, "yes" if cost.paper else "",
             *("" if value is None else f"{value:g}" for value in values), str(cost.count), cost.failure or ""]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import statistics
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from granular.cost.records import Cost
 from granular.figures.cost_data import CostData, MeasuredScene
@@ -53,7 +53,7 @@ def alt(scenes: Sequence[MeasuredScene]) -> str:
 
 def finding(scene: MeasuredScene) -> str:
     """Say what accuracy costs on a scene, what the cheapest others cost, and how the printed rule fares."""
-    return (f"**{capital(str(scene.hypothesis))} hypothesis.** {_own(scene)} {_hindsight(scene)} {_asked(scene)} "
+    return (f"**{capital(str(scene.hypothesis))} hypothesis.** {_own(scene)} {_outside_ways(scene)} "
             f"{_paper(scene)}")
 
 
@@ -73,30 +73,28 @@ def _own(scene: MeasuredScene) -> str:
     each = _listed(f"{decade(wanted)} costs {size(time_of(cost))}" + ("" if len(routes) == 1 else f" ({route(cost)})")
                    for wanted, cost in stated)
     by = f", by {route(stated[0][1])}" if len(routes) == 1 else ""
-    return (f"Stated beforehand, {each}{by}; {decade(stated[-1][0])} takes {size(times[-1] / times[0])} times as long "
-            f"as {decade(stated[0][0])}.{missing}")
+    return (f"Stated beforehand, {each}{by}; {decade(stated[-1][0])} takes {size(times[-1] / times[0], 2)} times as "
+            f"long as {decade(stated[0][0])}.{missing}")
 
 
-def _hindsight(scene: MeasuredScene) -> str:
-    pairs = [(promised_for(scene, wanted), in_hindsight(scene, wanted)) for wanted in WANTED]
-    both = [(own, other) for own, other in pairs if own and other]
-    if not both:
+def _outside_ways(scene: MeasuredScene) -> str:
+    """How the cheapest ways from outside compare: chosen in hindsight, and asked for the accuracy."""
+    hindsight, asked = _compared(scene, in_hindsight), _compared(scene, outside_asked_for)
+    if not hindsight:
         return "Nothing from outside is accurate enough to compare."
-    factors = [time_of(other) / time_of(own) for own, other in both]
-    names = _listed(dict.fromkeys(route(other) for _, other in both))
-    return (f"The cheapest way from outside, found with the right answer known, takes {_range(factors)} times as long "
-            f"({names}).")
+    first = f"From outside the cheapest takes {hindsight} in hindsight"
+    return f"{first}, and {asked} when asked for the accuracy." if asked else f"{first}; none keeps to a tolerance."
 
 
-def _asked(scene: MeasuredScene) -> str:
-    pairs = [(promised_for(scene, wanted), outside_asked_for(scene, wanted)) for wanted in WANTED]
+def _compared(scene: MeasuredScene, find: Callable[[MeasuredScene, float], Cost | None]) -> str:
+    """Factors on the time of the library over all accuracies, with the ways; empty when there are none."""
+    pairs = [(promised_for(scene, wanted), find(scene, wanted)) for wanted in WANTED]
     both = [(own, other) for own, other in pairs if own and other]
     if not both:
-        return "No outside way that takes a tolerance keeps to it here."
+        return ""
     factors = [time_of(other) / time_of(own) for own, other in both]
-    names = _listed(dict.fromkeys(route(other) for _, other in both))
-    return (f"The cheapest that is asked for the accuracy, and keeps to it, takes {_range(factors)} times as long "
-            f"({names}).")
+    names = ", ".join(dict.fromkeys(route(other) for _, other in both))
+    return f"{_range(factors, digits=2)} times as long ({names})"
 
 
 def _paper(scene: MeasuredScene) -> str:
@@ -108,7 +106,7 @@ def _paper(scene: MeasuredScene) -> str:
     if better is None:
         return f"{first}; nothing else in the library is as accurate."
     return (f"{first}; {route(better)}, {setting(better)}, has an error of {short(error_of(better))} and is "
-            f"{size(time_of(paper) / time_of(better))} times as fast.")
+            f"{size(time_of(paper) / time_of(better), 2)} times as fast.")
 
 
 def overall(data: CostData) -> str:
@@ -119,8 +117,9 @@ def overall(data: CostData) -> str:
         return "No route states an error for any of these scenes."
     factors = [time_of(high) / time_of(low) for _, low, high in ends]
     steepest = max(ends, key=lambda one: time_of(one[2]) / time_of(one[1]))[0]
-    return (f"On {len(ends)} scenes, stated beforehand, {decade(WANTED[-1])} takes {size(statistics.median(factors))} "
-            f"times as long as {decade(WANTED[0])} in the median, and {size(max(factors))} times at most "
+    middle, most = size(statistics.median(factors), 2), size(max(factors), 2)
+    return (f"On {len(ends)} scenes, stated beforehand, {decade(WANTED[-1])} takes {middle} times as long as "
+            f"{decade(WANTED[0])} in the median, and {most} times at most "
             f"({steepest.label}). {_outside(data)}")
 
 
@@ -136,7 +135,7 @@ def _outside(data: CostData) -> str:
         return f"{first}; none that must be asked for the accuracy keeps to it."
     quick = sum(factor < 1 for factor in asked)
     return (f"{first}, and on {quick} if it must be asked for the accuracy and keep to it; such a way takes "
-            f"{size(statistics.median(asked))} times as long in the median.")
+            f"{size(statistics.median(asked), 2)} times as long in the median.")
 
 
 def kept(data: CostData) -> str:
@@ -179,8 +178,8 @@ def capital(text: str) -> str:
     return text[0].upper() + text[1:]
 
 
-def _range(values: Sequence[float]) -> str:
-    low, high = size(min(values)), size(max(values))
+def _range(values: Sequence[float], *, digits: int = 3) -> str:
+    low, high = size(min(values), digits), size(max(values), digits)
     return low if low == high else f"{low} to {high}"
 
 
