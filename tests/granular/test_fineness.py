@@ -116,7 +116,6 @@ POLAR = AxialFabric(D33=20 / 7 * SHRINK, D3333=8 / 7 * SHRINK, Dr33=1.9999)
 """Contacts and long branches about the pole alone: a density next to 5 x^4."""
 
 
-@pytest.mark.xfail(strict=True, reason="the bound of the Gauss rules is too low where averages are small")
 @pytest.mark.parametrize(("fabric", "ratio", "rtol"), [
     (AxialFabric(D33=2.0, Dr33=1.9999), 3 * (1 + 1e-9), 1e-4),
     (POLAR, 8.5e-15, 5e-13),
@@ -130,6 +129,20 @@ def test_averages_that_are_small_beside_the_integrand(fabric: AxialFabric, ratio
     A bound that forgets it breaks this, and so does one that forgets how the map of the nodes grows off the line.
     """
     scene = Drawn(fabric, Loading.of_ratio(ratio), 0.21, Hypothesis.KINEMATIC)
+    result = evaluated(scene, rtol)
+    assert true_error(result.components, scene) <= result.relative_error <= rtol
+
+
+@pytest.mark.xfail(strict=True, reason="the error of the trapezoidal rule is too low where averages are small")
+@pytest.mark.parametrize(("branches", "ratio", "friction", "rtol"), [
+    (1.9999999, 1.5038756154257413, 0.0003551480018119701, 4.305991024357746e-07),
+    (-0.9999, 8230.206481439509, 1.714545855731472e-05, 4.307840025670267e-07),
+])
+def test_averages_that_are_small_beside_what_slips(branches: float, ratio: float, friction: float,
+                                                   rtol: float) -> None:
+    """Hardly any friction and contacts about the pole alone: the worst of 3,000 draws and as many steps from there."""
+    scene = Drawn(AxialFabric(D33=POLAR.D33, D3333=POLAR.D3333, Dr33=branches),
+                  Loading.of_ratio(ratio, friction=friction), 0.21, Hypothesis.KINEMATIC)
     result = evaluated(scene, rtol)
     assert true_error(result.components, scene) <= result.relative_error <= rtol
 
