@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 DONE = 0
 """Exit code of a command that did what it was asked."""
 
+MISSED = 1
+"""Exit code of a check that failed."""
+
 app = typer.Typer(
     name="granular", add_completion=False, pretty_exceptions_enable=False,
     help="The elastic stiffness of granular assemblies from the statistics of their contacts.")
@@ -123,6 +126,61 @@ def check(
     from granular.checks import run_checks
 
     raise typer.Exit(run_checks(json_out=out))
+
+
+@app.command()
+def contacts(
+    file: Annotated[str | None, typer.Argument(
+        metavar="FILE", help="A contact list: CSV or white-space text (.gz too), Parquet, dump of LAMMPS.")] = None,
+    volume: Annotated[float | None, typer.Option(
+        "--volume", metavar="V", help="Volume of the sample [m^3], grains and voids together.")] = None,
+    grains: Annotated[int | None, typer.Option(
+        "--grains", metavar="N", help="All grains in it, with those that touch nothing.")] = None,
+    column: Annotated[list[str] | None, typer.Option(
+        "--column", metavar="NAME=COLUMN", help="Which column holds what, such as n1=nx; may be repeated.")] = None,
+    step: Annotated[int | None, typer.Option(
+        "--step", metavar="T", help="Time step of a dump; the last one by default.")] = None,
+    spheres: Annotated[bool, typer.Option(
+        "--spheres", help="Take missing normals along the branches; right for spheres only.")] = False,
+    drop_bad: Annotated[bool, typer.Option(
+        "--drop-bad", help="Leave out contacts with a value that is missing or not finite.")] = False,
+    shear_modulus: Annotated[str | None, typer.Option(
+        "--shear-modulus", metavar="GS", help='Of the grains [Pa], or like "29 GPa".')] = None,
+    poisson_ratio: Annotated[float | None, typer.Option(
+        "--poisson-ratio", metavar="NU", help="Of the grains.")] = None,
+    friction: Annotated[float | None, typer.Option(
+        "--friction", metavar="MU", help="Friction coefficient between grains, to count contacts that slide.")] = None,
+    figure: Annotated[Path | None, typer.Option(
+        "--plot", metavar="OUT", help="Draw the list too: SVG, PNG or PDF.")] = None,
+    compare: Annotated[Path | None, typer.Option(
+        "--compare", metavar="FOLDER", help="Instead, compare every packing of a folder with its measured stiffness; "
+                                            "exit code 1 where eq. (1) is off.")] = None,
+    out: Annotated[Path | None, typer.Option(
+        "--out", metavar="OUT", help="With --compare: write the comparison as JSON.")] = None,
+    json: AsJson = False,
+) -> None:
+    """Fabric, forces and stiffness of a contact list, and what the model makes of it."""
+    from granular.contacts.command import compare_to, summary_of
+
+    if compare is not None:
+        text, agree = compare_to(compare, out)
+        _print(text)
+        raise typer.Exit(DONE if agree else MISSED)
+    summary = summary_of(file, volume=volume, grains=grains, columns=column or (), step=step, spheres_only=spheres,
+                         drop_bad=drop_bad, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio,
+                         friction=friction)
+    if figure is not None:
+        from granular.figures.contact_list import save_contact_list
+
+        save_contact_list(summary, figure)
+    if json:
+        from granular.contacts.as_json import summary_as_json
+
+        _print_json(summary_as_json(summary))
+    else:
+        from granular.contacts.as_text import summary_as_text
+
+        _print_blocks(summary_as_text(summary))
 
 
 @app.command()

@@ -17,8 +17,9 @@ STEP = 5
 
 CLASSES = 90 // STEP
 
-QUANTITIES = ("x2", "length", "inverse_length", "normal_force", "shear_force", "kn", "ks")
-"""What is averaged in each class: cos^2 [-], l [m], 1/l [1/m], fn and fs [N], kn and ks [N/m]."""
+QUANTITIES = ("x2", "length", "inverse_length", "normal_force", "shear_force", "meridian_force", "kn", "ks")
+"""What is averaged in each class: cos^2 [-], l [m], 1/l [1/m], fn, the size of fs and its part along the
+meridian towards axis 3 [N], kn and ks [N/m]."""
 
 
 class ByAngle:
@@ -61,6 +62,7 @@ class ByAngle:
         values: dict[str, Array | None] = {
             "x2": cosine**2, "length": length, "inverse_length": 1 / length, "normal_force": block.normal_force,
             "shear_force": None if block.shear_force is None else np.sqrt(np.sum(block.shear_force**2, axis=0)),
+            "meridian_force": None if block.shear_force is None else _towards_axis(block.normal, block.shear_force),
             "kn": None if stiffness is None else stiffness[0], "ks": None if stiffness is None else stiffness[1]}
         self.contacts += np.bincount(place, minlength=CLASSES)
         for name, value in values.items():
@@ -166,3 +168,13 @@ class ByAngle:
         share = -np.diff(np.cos(np.radians(self.degrees)))
         found: Array = self.contacts / (self.contacts.sum() * share)
         return found
+
+
+def _towards_axis(normal: Array, shear: Array) -> Array:
+    """The part of a shear force along the meridian, positive where it presses the grain beyond along axis 3."""
+    import numpy as np
+
+    meridian = np.array([[0.0], [0.0], [1.0]]) - normal * normal[2]
+    sine = np.sqrt(np.sum(meridian**2, axis=0))
+    along: Array = np.sign(normal[2]) * np.sum(meridian * shear, axis=0)
+    return along / np.where(sine > 0, sine, 1.0)
