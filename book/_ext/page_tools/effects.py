@@ -81,14 +81,14 @@ def bounds_table() -> Markup:
 def examples_table() -> Markup:
     """List the smallest change that calls for each effect, with bound, true change and cost."""
     found = [measured_example(name) for name in EXAMPLES]
-    rows = [[f"`{one.name}`", _code(EXAMPLES[one.name]), bound(one.bound.value),
-             "no stiffness" if one.change is None else power(one.change), *_costs(one)] for one in found]
+    rows = [[f"*{one.name}*<br>{_code(EXAMPLES[one.name])}", bound(one.bound.value).removeprefix("no bound") or "none",
+             "–" if one.change is None else power(one.change), *_costs(one)] for one in found]
     taken = [["effect", "added to the plain scene", "simulated", "bound", "change", "directions with", "without",
               "operations with", "without"],
              *([one.name, EXAMPLES[one.name].replace("\n", "; "), " ".join(one.simulated), repr(one.bound.value),
                 repr(one.change), *_counts(one)] for one in found)]
-    return table(["effect", "added to the plain scene", "bound", "change", "directions", "operations"], rows,
-                 label="tab-effect-examples", align="llrrrr", take_away="effect_examples.csv", taken=taken,
+    return table(["added to the plain scene", "bound", "change", "directions", "operations"], rows,
+                 label="tab-effect-examples", align="lrrrr", take_away="effect_examples.csv", taken=taken,
                  caption=f"For each effect the smallest change to the plain scene that calls for it: bound and true "
                          f"change of the worst component without it, and cost with/without it for a wanted accuracy "
                          f"of {power(SHOWN_AT)}.")

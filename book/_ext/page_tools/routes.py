@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -39,7 +40,7 @@ WANTED = (1e-6, None)
 def routes_table() -> Markup:
     """List the records: what each route serves, where its promise comes from, and its price."""
     rows = [[f"`{route.name}`<br>{plain(route.title)}<br>*price* {_price(route.price)}", plain(route.domain),
-             plain(route.error_model)] for route in CATALOGUE]
+             _units(route.error_model)] for route in CATALOGUE]
     return table(["route", "serves", "promise from"], rows, label="tab-routes", take_away="routes.csv",
                  taken=[["route", "title", "serves", "promise from", "call", "fractions", "operation", "direction"],
                         *([route.name, route.title, route.domain, route.error_model, repr(route.price.call),
@@ -97,16 +98,19 @@ def prediction_table() -> Markup:
 
 def choice_table() -> Markup:
     """Show the routes that a plan looks at for some scenes, with promise and price."""
-    rows = []
+    heads = [f"{name}: {what}" for name in AUTO for what in ("price", "promise")]
+    rows, taken = [], [["scene", "rtol", *heads, "chosen"]]
     for title, scene in SCENES.items():
         for rtol in WANTED:
             decided = plan(scene(), rtol=rtol)
-            rows.append([title, "–" if rtol is None else power(rtol),
-                         *(_considered(one) for one in decided.choice.considered), f"`{decided.route}`"])
+            looked_at = decided.choice.considered
+            rows.append([title, "–" if rtol is None else power(rtol), *map(_considered, looked_at),
+                         f"`{decided.route}`"])
+            taken.append([title, repr(rtol), *(text for one in looked_at for text in _in_full(one)), decided.route])
     return table(["scene", "rtol", *(f"`{name}`" for name in AUTO), "chosen"], rows, label="tab-choice", align="lrrrl",
-                 take_away="choice.csv",
-                 caption="Price of each route that a plan looks at, with the error that it promises; a dash where it "
-                         "does not serve the scene. Without rtol everything that doubles hold is wanted.")
+                 take_away="choice.csv", taken=taken,
+                 caption="Price of each route that a plan looks at, and below it the error that it promises; a dash "
+                         "where it does not serve the scene. Without rtol everything that doubles hold is wanted.")
 
 
 def by_hand_table() -> Markup:
@@ -152,8 +156,17 @@ def _price(price: Price) -> str:
     return " + ".join(text for part, text in parts if part)
 
 
+def _units(text: str) -> str:
+    """Set powers of two in the words of a record as formulas."""
+    return re.sub(r"2\^-(\d+)", r"$2^{-\1}$", plain(text))
+
+
 def _considered(one: Considered) -> str:
-    return "–" if one.promise is None else f"{one.price:,.0f} for {bound(one.promise.relative_error)}"
+    return "–" if one.promise is None else f"{one.price:,.0f}<br>{bound(one.promise.relative_error)}"
+
+
+def _in_full(one: Considered) -> tuple[str, str]:
+    return ("", "") if one.promise is None else (repr(one.price), repr(one.promise.relative_error))
 
 
 def _by_hand(scene: Scene, route: str) -> str:
