@@ -34,7 +34,7 @@ def comparison_as_text(packings: Sequence[ComparedPacking]) -> str:
     >>> from granular.contacts.comparison import compare_folder
     >>> from granular.contacts.example import example_folder
     >>> print(comparison_as_text(compare_folder(example_folder())).splitlines()[2])
-      eq. (1) within 0.018 % of C3333 of the affine probe in all 36 components (0.5 % allowed)
+      eq. (1) within 0.019 % of C3333 of the affine probe in all 36 components (0.5 % allowed)
     """
     return "\n".join(line for packing in packings for line in _lines(packing)) + "\n"
 
