@@ -32,6 +32,10 @@ PLOTLY_MARKERS = {"D": "diamond", "o": "circle", "s": "square", "P": "cross", "^
                   "X": "x", "*": "star", "x": "x-thin-open", "+": "cross-thin-open"}
 """The same markers by the names that plotly has for them; open ones are made by adding ``-open``."""
 
+DESCRIPTION = ("Error against time of all routes on the scene that is picked above, with a mark for the cheapest that "
+               "is accurate enough; the answer stands below in words")
+"""For readers who cannot see the picture."""
+
 FULL = {"D": "◆", "o": "●", "s": "■", "P": "✚", "^": "▲", "v": "▼", "X": "✖"}
 OPEN = {"D": "◇", "o": "○", "s": "□", "^": "△", "x": "×", "+": "+", "*": "☆"}
 """The same markers as letters."""
@@ -241,7 +245,8 @@ class CostChooser:
                 f'<div class="controls"><label>Scene <select>{options}</select></label>'
                 f'<label>Accuracy <input type="range" min="0" max="{len(ACCURACIES) - 1}" step="1" value="{wanted}" '
                 f'aria-label="wanted accuracy"/> <output class="wanted">{power(ACCURACIES[wanted])}</output></label>'
-                f"</div>{Interactive(self.figure(), self.name)._repr_html_()}{self._legend()}"
+                f'</div><div role="figure" aria-label="{DESCRIPTION}">'
+                f"{Interactive(self.figure(), self.name)._repr_html_()}</div>{self._legend()}"
                 f'<p class="answer" aria-live="polite">{states[place]["answers"][wanted]["words"]}</p>'
                 f'<script type="application/json">{content}</script>'
                 f"<script>{SCRIPT.replace('NAME', self.name)}</script></div>")

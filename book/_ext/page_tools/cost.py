@@ -11,9 +11,17 @@ from granular.figures.cost_chooser import CostChooser
 from granular.figures.cost_data import CostData, MeasuredScene, read_cost_data
 from granular.figures.cost_pareto import pareto
 from granular.figures.files import static_bytes
-from page_tools.cost_tables import failures, prices, rows_table, wanted_table, without_result, worst_spread
+from page_tools.cost_tables import (
+    STYLE,
+    failures,
+    prices,
+    rows_table,
+    wanted_table,
+    without_result,
+    worst_spread,
+)
 from page_tools.cost_words import alt, caption, finding, kept, overall
-from page_tools.markup import Described, Markup
+from page_tools.markup import Markup
 
 DATA = "_data/cost.json"
 
@@ -27,17 +35,15 @@ def measured(data: str = DATA) -> CostData:
     return content
 
 
-def chooser() -> Described:
+def chooser() -> CostChooser:
     """Show the picture in which a reader picks scene and accuracy."""
-    words = ("Error against time of all routes, with a list of scenes and a slider for the wanted accuracy; the answer "
-             "stands below in words")
-    return Described(CostChooser(measured()), words)
+    return CostChooser(measured())
 
 
 def price_table() -> Markup:
     """List what accuracies cost on every scene, and say what it comes to."""
     data = measured()
-    return Markup(f"{overall(data)} {kept(data)}\n\n{prices(data).text}")
+    return Markup(f"{STYLE}\n\n{overall(data)} {kept(data)}\n\n{prices(data).text}")
 
 
 def of_scene(name: str) -> Markup:

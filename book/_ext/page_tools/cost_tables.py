@@ -26,6 +26,13 @@ PRICES = (WANTED[0], WANTED[1], WANTED[-1])
 
 NO_BREAK = "\N{NO-BREAK SPACE}"
 
+STYLE = """<style>
+.bd-article table.dense { font-size: 0.82rem; }
+.bd-article table.dense :is(th, td) { padding: 0.15rem 0.4rem; }
+.bd-article details.sd-dropdown table caption { max-width: min(calc(100vw - 5rem), 36rem); }
+</style>"""
+"""Look of the long tables, which stand in a box that opens: the page shows it once."""
+
 
 def prices(data: CostData) -> Markup:
     """List what three accuracies cost on every scene, and the cheapest outside way at the second of them."""
@@ -89,12 +96,12 @@ def rows_table(scene: MeasuredScene) -> Markup:
              f"{size(time_of(cost))} ± {_spread(cost)}", str(cost.count)] for cost in scene.results]
     taken = [["route", "kind", "setting", "paper", "error", "stated", "directions", "time ratio", "spread", "count",
               "failure"], *(_everything(cost) for cost in scene.costs)]
-    return table(["route", "setting", "error", "stated", "directions", "time ± spread", "count"], rows,
+    return table(["route", "setting", "error", "stated", "directions", "time", "count"], rows, look="dense",
                  label=f"tab-cost-{scene.name}-{scene.hypothesis}", align="llrrrrr", taken=taken,
                  take_away=f"cost-{scene.name}-{scene.hypothesis}.csv",
-                 caption=f"Every measurement of `{scene.name}`, {scene.hypothesis} hypothesis. From outside: °. With a "
-                         "warning: †. A dash for an error that is not stated, or a formula that needs no directions. "
-                         "The file has those without a result, too.")
+                 caption=f"Every measurement of `{scene.name}`, {scene.hypothesis} hypothesis; times with their "
+                         "spread. From outside: °. With a warning: †. A dash for an error that is not stated, or a "
+                         "formula that needs no directions. The file has those without a result, too.")
 
 
 def failures(scenes: Sequence[MeasuredScene]) -> Iterator[str]:
