@@ -120,7 +120,8 @@ def _forces(summary: ContactSummary) -> dict[str, str]:
             + "  ".join(f"s{i}{j} {stress[i - 1, j - 1]:.2g}" for i, j in ((2, 3), (1, 3), (1, 2))) + " kPa"
             + ("" if summary.stress_is_whole else " (normal forces only; the list has no shear forces)")}
     mean, across = float(stress.trace()) / 3, float(stress[0, 0] + stress[1, 1]) / 2
-    told["mean, ratio"] = f"{mean:.5g} kPa, s33 over the mean of s11 and s22: {float(stress[2, 2]) / across:.4f}"
+    ratio = f", s33 over the mean of s11 and s22: {float(stress[2, 2]) / across:.4f}" if across > 0 else ""
+    told["mean stress"] = f"{mean:.5g} kPa{ratio}"
     if summary.sliding is not None:
         told["sliding"] = f"{100 * summary.sliding:.2f} % of the contacts, at mu = {summary.material.friction:g}"
     return told

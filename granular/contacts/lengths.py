@@ -83,6 +83,8 @@ class Lengths:
         """
         import numpy as np
 
+        if share >= 1:
+            return self.greatest
         upto = np.cumsum(self._counts)
         place = int(np.searchsorted(upto, max(share * upto[-1], 0.5)))
         middle = math.exp2(_OCTAVES[0] + (place + 0.5) / PER_OCTAVE)
