@@ -11,8 +11,7 @@ from granular.errors import RouteOutOfDomain
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import require_accuracy
 from granular.routes.arithmetic import arithmetic_for
-from granular.routes.axial import _by_rule as by_rule
-from granular.routes.axial import components_by_rule
+from granular.routes.axial import components_by_rule, promise_by_rule
 from granular.routes.axial_kinetic import components_by_contacts, work_by_contacts
 from granular.routes.axial_rules import POWERS, AxialRule
 from granular.routes.contact_rule import NORMAL, ContactRule, contacts_at
@@ -80,7 +79,7 @@ def promise(fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None
 def _promise(fabric: AxialFabric, hypothesis: Hypothesis, panels: int, contacts: ContactRule | None) -> Promise:
     arithmetic = arithmetic_for(None)
     if contacts is None:
-        return replace(by_rule(fabric, hypothesis, midpoint_rule(panels), math.inf, arithmetic),
+        return replace(promise_by_rule(fabric, hypothesis, midpoint_rule(panels), math.inf, arithmetic),
                        relative_error=math.inf)
     return Promise(math.inf, panels, contacts.work + work_by_contacts(fabric, hypothesis, contacts, arithmetic))
 
