@@ -92,7 +92,8 @@ def how() -> Markup:
     digits = min(scene.digits for scene in data.scenes)
     return Markup(f"""- **What.** {len(data.scenes)} scenes (each hypothesis counted), {routes[PRODUCT]} routes of the
   library and {routes[OUTSIDE]} ways from outside, {settings} settings in all.
-- **Error.** Of the worst of six components, against certified values with {digits} digits or more.
+- **Error.** Of the worst of six components, against ball arithmetic or, where that ends, stored values of many digits;
+  {digits} of them are right or more.
 - **Time.** Of one evaluation, over that of the unit, which is timed right before it. What else the machine does acts on
   both.
 - **Rounds.** In each round every setting is timed once, all of them in random order. The time is the median of the
