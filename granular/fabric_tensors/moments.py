@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 ROWS = 8192
 """Directions taken at a time: their products stay in cache."""
 
+SMALLEST = 1e-290
+"""Sums of squared weights below this lose digits [unit of the weights, squared]."""
+
 WHOLE = tuple(times if four[0] == four[1] and four[2] == four[3] else 0.0
               for four, times in zip(QUADRUPLES, (t / (3 if t == 6 else 1) for t in QUADRUPLE_TIMES), strict=True))
 """Contraction of n_i n_j n_k n_l with delta_ij delta_kl, which is 1 for a unit vector."""
@@ -73,16 +76,19 @@ class Moments:
         ArrayNotUsable, NotFinite, DirectionNotUnit, ValueOutOfRange
             As for :func:`granular.fabric_tensors.fabric_of`; nothing of the block is added then.
         """
+        import numpy as np
+
         unit = read_directions(directions, normalise=normalise, first=self.count)
         by_weight = read_weights(weights, len(unit), first=self.count)
         for start in range(0, len(unit), ROWS):
             products = quadruple_products(unit[start:start + ROWS])
             weight = by_weight[start:start + ROWS]
             weighted = weight[:, None] * products
-            self._sum += float(weight.sum())
-            self._squares += float(weight @ weight)
-            self._fourth += weighted.sum(axis=0)
-            self._second += weighted.T @ weighted
+            with np.errstate(over="ignore", invalid="ignore"):  # refused when the mean is asked for
+                self._sum += float(weight.sum())
+                self._squares += float(weight @ weight)
+                self._fourth += weighted.sum(axis=0)
+                self._second += weighted.T @ weighted
         self.count += len(unit)
 
     def merge(self, other: Moments) -> Moments:
@@ -124,15 +130,16 @@ class Moments:
         TooFewDirections
             There is none.
         ValueOutOfRange
-            The weights sum to zero.
+            The weights are zero, or so small that their squares lose digits.
         NotFinite
             The weights, or their squares, sum to more than double precision holds.
         """
         if self.count == 0:
             raise TooFewDirections("0 directions", allowed="needed: at least 1", remedy="Add directions first.")
-        if self._sum == 0 or self._squares == 0:
+        if self._squares < SMALLEST:
             raise ValueOutOfRange(f"sum of the weights = {self._sum:g}, of their squares {self._squares:g}",
-                                  allowed="allowed sums > 0", remedy="Give larger weights; their unit is free.")
+                                  allowed=f"allowed sums of squares >= {SMALLEST:g}",
+                                  remedy="Give larger weights; their unit is free.")
         if not self._squares < float("inf"):
             raise NotFinite("sum of the squared weights = inf", allowed="allowed a finite sum",
                             remedy="Give weights in a larger unit, so that they are smaller.")

@@ -65,11 +65,13 @@ def read_directions(directions: ArrayLike, *, normalise: bool = False, first: in
     largest = np.abs(given).max(axis=1, initial=0.0)
     scaled = given / np.where(largest > 0, largest, 1.0)[:, None]  # squares of what is given may overflow
     length = np.sqrt(np.einsum("ij,ij->i", scaled, scaled))
-    off = largest == 0 if normalise else ~(np.abs(length * largest - 1) <= TOLERANCE)
+    with np.errstate(over="ignore"):
+        whole = length * largest
+    off = largest == 0 if normalise else ~(np.abs(whole - 1) <= TOLERANCE)
     if off.any():
         row = int(np.argmax(off))
         raise DirectionNotUnit(
-            f"direction {first + row} = {given[row].tolist()} has the length {float(length[row] * largest[row]):.9g}",
+            f"direction {first + row} = {given[row].tolist()} has the length {whole[row]:.9g}",
             allowed="allowed any length but 0" if normalise else f"allowed 1 within {TOLERANCE:g}",
             remedy="Leave the row out." if largest[row] == 0 else "Divide by the length, or give normalise=True.",
             more=int(np.sum(off)) - 1)
