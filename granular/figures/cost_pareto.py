@@ -171,7 +171,7 @@ def size(value: float, digits: int = 3) -> str:
     Returns
     -------
     str
-        No exponent below a million.
+        No exponent below a million; thousands apart by a space at which no line ends.
 
     Notes
     -----
@@ -179,11 +179,13 @@ def size(value: float, digits: int = 3) -> str:
 
     Examples
     --------
-    >>> size(2.977), size(36730.0), size(4007000.0), size(0.5312, 2), size(0.9996)
-    ('2.98', '36 700', '4.01e+06', '0.53', '1.00')
+    >>> size(2.977), size(4007000.0), size(0.5312, 2), size(0.9996)
+    ('2.98', '4.01e+06', '0.53', '1.00')
+    >>> size(36730.0).split()
+    ['36', '700']
     """
     rounded = float(f"{value:.{digits - 1}e}")
     if not 0.001 <= rounded < 1e6:
         return f"{value:.{digits}g}"
     places = max(0, digits - 1 - math.floor(math.log10(rounded)))
-    return f"{rounded:,.{places}f}".replace(",", " ")
+    return f"{rounded:,.{places}f}".replace(",", "\N{NARROW NO-BREAK SPACE}")

@@ -18,6 +18,7 @@ from granular.figures.cost_selection import (
     promised_for,
     time_of,
 )
+from page_tools.markup import plain
 
 MIDDLE = 1e-6
 """The wanted accuracy of captions [-]."""
@@ -34,7 +35,7 @@ def caption(scenes: Sequence[MeasuredScene]) -> str:
         under = f"{scene.hypothesis}: " if len(scenes) > 1 else ""
         each.append(f"{under}{decade(MIDDLE)} by {route(found)}, {size(time_of(found))} times the unit" if found else
                     f"{under}no route states {decade(MIDDLE)}")
-    return f"{capital(scenes[0].title)}. Stated beforehand, {'; '.join(each)}.{_papers(scenes)}"
+    return f"{plain(capital(scenes[0].title))}. Stated beforehand, {'; '.join(each)}.{_papers(scenes)}"
 
 
 def _papers(scenes: Sequence[MeasuredScene]) -> str:
