@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.errors import UnknownChoice
-from granular.fabric_tensors.axial_fit import symmetry_axis
+from granular.fabric_tensors.axial_fit import along, symmetry_axis
 from granular.fabric_tensors.components import PAIRS, full_2
 from granular.fabric_tensors.frames import (
     ACROSS_2,
@@ -38,20 +38,23 @@ FOR_RANK_FOUR = 100
 400 on. Below, the scatter of so many numbers is known too badly."""
 
 
-def uniformity(tensors: FabricTensors, *, rank: int = 2) -> SymmetryTest:
+def uniformity(tensors: FabricTensors, axis: ArrayLike | None = None, *, rank: int = 2) -> SymmetryTest:
     """Test whether the directions could come from an isotropic fabric.
 
     Parameters
     ----------
     tensors : FabricTensors
         Of a list of directions.
+    axis : (3,) array, optional
+        An axis known beforehand [-]. Then only D33, or D33 and D3333, about it are looked at: a sharper question, and
+        blind to all other anisotropy.
     rank : 2 or 4
         Departures that are looked for: of rank two, or of rank two and four together.
 
     Returns
     -------
     SymmetryTest
-        Score test of a uniform density, chi-squared with 5 or 14 degrees of freedom.
+        Score test of a uniform density, chi-squared with 5 or 14 degrees of freedom; with an axis, 1 or 2.
 
     Raises
     ------
@@ -59,6 +62,8 @@ def uniformity(tensors: FabricTensors, *, rank: int = 2) -> SymmetryTest:
         The effective number is below 16.
     UnknownChoice
         Another rank.
+    ArrayNotUsable, NotFinite, DirectionNotUnit
+        No axis.
 
     Notes
     -----
@@ -78,11 +83,14 @@ def uniformity(tensors: FabricTensors, *, rank: int = 2) -> SymmetryTest:
     tensors.require()
     if rank not in (2, 4):
         raise UnknownChoice(f"rank = {rank!r}", allowed="allowed 2, 4", remedy="Give one of these ranks.")
-    statistic = 2 / 15 * tensors.effective_number * float(np.sum(tensors.D2**2))
-    if rank == 4:
-        statistic += 8 / 315 * tensors.effective_number * float(np.sum(tensors.D4**2))
-    dof = 5 if rank == 2 else 14
-    upto = "of rank two" if rank == 2 else "up to rank four"
+    if axis is None:
+        squares, freedom = (2 / 15 * float(np.sum(tensors.D2**2)), 8 / 315 * float(np.sum(tensors.D4**2))), (5, 9)
+    else:
+        D33, D3333 = along(tensors.D2, tensors.D4, read_axis(axis))
+        squares, freedom = (float(D33) ** 2 / 5, float(D3333) ** 2 / 9), (1, 1)
+    statistic = tensors.effective_number * sum(squares[:rank // 2])
+    dof = sum(freedom[:rank // 2])
+    upto = f"{'of rank two' if rank == 2 else 'up to rank four'}{'' if axis is None else ' about the given axis'}"
     return SymmetryTest(f"anisotropy {upto}", f"no anisotropy {upto} is seen", f"there is anisotropy {upto}",
                         statistic, dof, chi_squared(statistic, dof))
 
@@ -264,8 +272,9 @@ def significance(tensors: FabricTensors, axis: ArrayLike | None = None) -> Signi
     Returns
     -------
     Significance
-        Two tests where no anisotropy of rank two is seen; otherwise axial symmetry too, about the given axis when
-        there is one and about the fitted one, and orthotropy where axial symmetry of rank two falls.
+        Anisotropy of rank two, about the given axis too when there is one, and of rank four. Where anisotropy of rank
+        two is seen, axial symmetry too, about the given and about the fitted axis, and orthotropy where axial symmetry
+        of rank two falls.
 
     Raises
     ------
@@ -286,8 +295,8 @@ def significance(tensors: FabricTensors, axis: ArrayLike | None = None) -> Signi
     >>> len(significance(fabric_of(directions_of(isotropic(), 500))).tests)
     2
     """
-    tests = [uniformity(tensors), rank_four(tensors)]
-    if tests[0].significant():
+    tests = [uniformity(tensors), *([] if axis is None else [uniformity(tensors, axis)]), rank_four(tensors)]
+    if any(test.significant() for test in tests[:-1]):
         if axis is not None:
             tests.append(axial_symmetry(tensors, axis))
         tests.append(axial_symmetry(tensors))
