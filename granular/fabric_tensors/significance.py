@@ -272,9 +272,9 @@ def significance(tensors: FabricTensors, axis: ArrayLike | None = None) -> Signi
     Returns
     -------
     Significance
-        Anisotropy of rank two, about the given axis too when there is one, and of rank four. Where anisotropy of rank
-        two is seen, axial symmetry too, about the given and about the fitted axis, and orthotropy where axial symmetry
-        of rank two falls.
+        Anisotropy of rank two, about the given axis too when there is one, and of rank four. Where any is seen, axial
+        symmetry about the given axis; where that of rank two is seen, axial symmetry about the fitted axis, and
+        orthotropy where axial symmetry of rank two falls.
 
     Raises
     ------
@@ -296,9 +296,9 @@ def significance(tensors: FabricTensors, axis: ArrayLike | None = None) -> Signi
     2
     """
     tests = [uniformity(tensors), *([] if axis is None else [uniformity(tensors, axis)]), rank_four(tensors)]
-    if any(test.significant() for test in tests[:-1]):
-        if axis is not None:
-            tests.append(axial_symmetry(tensors, axis))
+    if axis is not None and any(test.significant() for test in tests):
+        tests.append(axial_symmetry(tensors, axis))
+    if tests[0].significant():
         tests.append(axial_symmetry(tensors))
         if axial_symmetry(tensors, rank=2).significant():
             tests.append(orthotropy(tensors))
