@@ -9,6 +9,7 @@ from derivations.equations import equations
 from derivations.fabric import fabric
 from derivations.fabric_kinds import fabric_kinds
 from derivations.forces import contact_forces
+from derivations.general_constant import general_constant
 from derivations.gradation import gradation
 from derivations.kinematic import kinematic_constant, kinematic_three
 from derivations.kinetic import kinetic
@@ -30,6 +31,7 @@ CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     kinematic_three,
     static_constant,
     static_three,
+    general_constant,
     spheroid,
     contact_forces,
     mohr_circle,
