@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from granular.errors import FabricOutOfRange, UnknownChoice
 from granular.fabric import AxialFabric
 from granular.fabric_tensors.reading import read_axis
 
@@ -162,8 +163,6 @@ def axial_fabric(tensors: FabricTensors, axis: ArrayLike | None = (0.0, 0.0, 1.0
     """
     import numpy as np
 
-    from granular.errors import UnknownChoice
-
     if rank not in (2, 4):
         raise UnknownChoice(f"rank = {rank!r}", allowed="allowed 2, 4", remedy="Give one of these ranks.")
     about = symmetry_axis(tensors) if axis is None else read_axis(axis)
@@ -174,5 +173,11 @@ def axial_fabric(tensors: FabricTensors, axis: ArrayLike | None = (0.0, 0.0, 1.0
         whole += 8 / 315 * float(np.sum(tensors.D4**2))
         axial += D3333**2 / 9
     left = max(whole - axial, 0.0)
-    fabric = AxialFabric(D33=D33, D3333=D3333 if rank == 4 else 0.0)
+    try:
+        fabric = AxialFabric(D33=D33, D3333=D3333 if rank == 4 else 0.0)
+    except FabricOutOfRange as refusal:
+        raise FabricOutOfRange(
+            refusal.found, allowed=refusal.allowed,
+            remedy=f"No density of rank {'four' if rank == 4 else 'two'} has these directions: they are too few, or "
+            f"aligned too strongly.{' Rank two has: give rank=2.' if rank == 4 and -1 <= D33 <= 2 else ''}") from None
     return AxialFit(fabric, about, left / whole if whole > 0 else 0.0, float(np.sqrt(left)))
