@@ -252,7 +252,7 @@ class TooFewDirections(GranularError):
 
 
 class ContactFileUnusable(GranularError):
-    """A contact file that is damaged, cut off, empty, or not what its name says."""
+    """A contact file that is damaged, cut off, empty, not what its name says, or Parquet without its library."""
 
     code = "G-CON-01"
     title = "A contact file that cannot be used"
@@ -284,13 +284,6 @@ class ContactTwice(GranularError):
 
     code = "G-CON-05"
     title = "The same contact twice"
-
-
-class TablesMissing(GranularError):
-    """A Parquet file, and the library that reads it is not installed."""
-
-    code = "G-CON-06"
-    title = "Parquet files cannot be read here"
 
 
 class ComplianceInfinite(GranularError):
@@ -398,7 +391,7 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     SymmetryNotBuilt, StressNotCompressive,
     FabricOutOfRange, BranchesUnusable, DirectionNotUnit, TooFewDirections,
     CurveMalformed, CurveInPercent, CurveNotMonotone, CurveIncomplete,
-    ContactFileUnusable, ContactColumnsMissing, ContactValuesMissing, ContactImpossible, ContactTwice, TablesMissing,
+    ContactFileUnusable, ContactColumnsMissing, ContactValuesMissing, ContactImpossible, ContactTwice,
     ComplianceInfinite,
     RouteOutOfDomain, CertifiedArithmeticMissing,
     IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,

@@ -93,7 +93,7 @@ def _with_reason(stiffness: Stiffness | None, reason: str) -> dict[str, Any]:
 
 def _fabric(summary: ContactSummary) -> dict[str, Any]:
     told: dict[str, Any] = {
-        name: {"N": tensor.tolist(), "D33": 7.5 * (float(tensor[2, 2]) - 1 / 3),
+        name: {"N": tensor.tolist(), "D33": 7.5 * (float(tensor[2, 2]) - 1 / 3), "D33_error": summary.doubt_of(name),
                "D": [[7.5 * (float(tensor[i, j]) - (1 / 3 if i == j else 0.0)) for j in range(3)] for i in range(3)]}
         for name, tensor in (("normals", summary.normals), ("branches", summary.branches))}
     try:

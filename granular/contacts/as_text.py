@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from granular.contacts.estimate import estimated_forces
+from granular.contacts.moments import BRANCHES, NORMALS
 from granular.contacts.prediction import EQUAL_CONTACTS, ESTIMATED_FORCES, Predicted, fitted_fabric, predictions
 from granular.errors import FabricOutOfRange
 from granular.hypothesis import Hypothesis
@@ -71,12 +72,12 @@ def _counts(summary: ContactSummary) -> dict[str, str]:
 
 
 def _fabric(summary: ContactSummary) -> dict[str, str]:
-    def tensor(of: Any) -> str:
+    def tensor(of: Any, name: str) -> str:
         axes = "  ".join(f"N{k}{k} {of[k - 1, k - 1]:.4f}" for k in (1, 2, 3))
-        return f"D33 {7.5 * (float(of[2, 2]) - 1 / 3):+.4f}   {axes}"
+        return f"D33 {7.5 * (float(of[2, 2]) - 1 / 3):+.4f} +/- {summary.doubt_of(name):.4f}   {axes}"
 
     lengths, moments = summary.lengths, summary.length_moments
-    told = {"normals": tensor(summary.normals), "branches": tensor(summary.branches)}
+    told = {"normals": tensor(summary.normals, NORMALS), "branches": tensor(summary.branches, BRANCHES)}
     try:
         told["branch length"] = f"Dr33 {fitted_fabric(summary).Dr33:+.5f}"
     except FabricOutOfRange as refusal:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from granular.contacts.material import Material
+from granular.contacts.moments import NORMALS
 from granular.contacts.prediction import EQUAL_CONTACTS, fitted_fabric, predictions
 from granular.contacts.summary import ContactSummary, summarise
 from granular.errors import FileUnreadable, MissingKey, WrongType, found_at
@@ -59,6 +60,8 @@ class ComparedPacking:
         p [Pa] and sigma33/sigma11 [-].
     D33, Dr33 : float
         Fabric of normals and branch lengths about axis 3 [-].
+    D33_error : float
+        Standard error of D33 [-].
     D33_of_branches : float
         The same of the directions of branches [-].
     collinear : bool
@@ -82,6 +85,7 @@ class ComparedPacking:
     stress_ratio: float
     D33: float
     Dr33: float
+    D33_error: float
     D33_of_branches: float
     collinear: bool
     stiffness: dict[str, Components]
@@ -178,7 +182,7 @@ def compare_packing(contacts: Path, meta: Path) -> ComparedPacking:
     return ComparedPacking(
         name=contacts.name.removesuffix(SUFFIXES[0]), contacts=summary.contacts, grains=known["N_grains"],
         void_ratio=known["e"], coordination_number=2 * summary.contacts / known["N_grains"], mean_stress=mean,
-        stress_ratio=ratio, D33=fabric.D33, Dr33=fabric.Dr33,
+        stress_ratio=ratio, D33=fabric.D33, Dr33=fabric.Dr33, D33_error=summary.doubt_of(NORMALS),
         D33_of_branches=7.5 * (float(summary.branches[2, 2]) - 1 / 3), collinear=summary.is_collinear,
         stiffness=stiffness, affine_miss=_miss(kinematic, measured["affine"]),
         bound=_pairwise(stiffness, lambda one, _, relaxed: one / relaxed, needs_static=False),

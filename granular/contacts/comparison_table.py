@@ -45,7 +45,8 @@ def _lines(packing: ComparedPacking) -> list[str]:
     return [
         f"{packing.name}: M = {packing.contacts}, Z = {packing.coordination_number:.3f}, e = {packing.void_ratio:.4f}, "
         f"p = {packing.mean_stress / 1e3:.5g} kPa",
-        f"  s33/s11 = {packing.stress_ratio:.4f}, D33 = {packing.D33:+.4f}, Dr33 = {packing.Dr33:+.4f}"
+        f"  s33/s11 = {packing.stress_ratio:.4f}, D33 = {packing.D33:+.4f} +/- {packing.D33_error:.4f}, "
+        f"Dr33 = {packing.Dr33:+.4f}"
         + ("" if packing.collinear else f", D33 of branches {packing.D33_of_branches:+.4f}"),
         f"  eq. (1) within {100 * packing.affine_miss:.2g} % of C3333 of the affine probe in all 36 components "
         f"({allowed})",

@@ -5,7 +5,6 @@ The loop is plain Python that also runs uncompiled, which a test does; nothing b
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -16,10 +15,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-BLOCK = 4096
+BLOCK = 32768
 """Contacts that are summed before the result joins the total, so that rounding does not grow with their number."""
-
-_HALF = math.sqrt(0.5)
 
 
 def stiffness_sums(l1: Array, l2: Array, l3: Array, n1: Array, n2: Array, n3: Array, kn: Array, ks: Array,
@@ -31,8 +28,8 @@ def stiffness_sums(l1: Array, l2: Array, l3: Array, n1: Array, n2: Array, n3: Ar
     l1, l2, l3, n1, n2, n3, kn, ks : (n,) array
         Branch [m], normal [-], stiffnesses [N/m].
     total : (27,) array
-        The upper triangle of sum (kn - ks) v_p v_q, row by row, with v the Mandel vector of l_i n_j symmetrised; then
-        sum ks l_i l_k for 11 22 33 23 13 12 [N m]. Changed in place.
+        The upper triangle of sum (kn - ks) v_p v_q, row by row, with v = (l1 n1, l2 n2, l3 n3, l2 n3 + l3 n2, l1 n3 +
+        l3 n1, l1 n2 + l2 n1); then sum ks l_i l_k for 11 22 33 23 13 12 [N m]. Changed in place.
 
     Notes
     -----
@@ -42,11 +39,15 @@ def stiffness_sums(l1: Array, l2: Array, l3: Array, n1: Array, n2: Array, n3: Ar
     for start in range(0, size, BLOCK):
         s0 = s1 = s2 = s3 = s4 = s5 = s6 = s7 = s8 = s9 = s10 = s11 = s12 = s13 = 0.0
         s14 = s15 = s16 = s17 = s18 = s19 = s20 = s21 = s22 = s23 = s24 = s25 = s26 = 0.0
-        for c in range(start, min(start + BLOCK, size)):
-            a, b, d, p, q, r, shear = l1[c], l2[c], l3[c], n1[c], n2[c], n3[c], ks[c]
-            apart = kn[c] - shear
+        end = start + BLOCK
+        x, y, z = l1[start:end], l2[start:end], l3[start:end]  # slices, so that no index can be negative: it is faster
+        u, v, w = n1[start:end], n2[start:end], n3[start:end]
+        along, across = kn[start:end], ks[start:end]
+        for c in range(along.size):
+            a, b, d, p, q, r, shear = x[c], y[c], z[c], u[c], v[c], w[c], across[c]
+            apart = along[c] - shear
             v1, v2, v3 = a * p, b * q, d * r
-            v4, v5, v6 = _HALF * (b * r + d * q), _HALF * (a * r + d * p), _HALF * (a * q + b * p)
+            v4, v5, v6 = b * r + d * q, a * r + d * p, a * q + b * p
             w1, w2, w3, w4, w5 = apart * v1, apart * v2, apart * v3, apart * v4, apart * v5
             s0 += w1 * v1
             s1 += w1 * v2

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from contextlib import closing
 from typing import TYPE_CHECKING
 
 from granular.contacts.columns import Columns, columns_of
@@ -44,7 +45,7 @@ class ContactList:
 
     Raises
     ------
-    FileUnreadable, ContactFileUnusable, TablesMissing
+    FileUnreadable, ContactFileUnusable
         The file cannot be used.
     ContactColumnsMissing, BadOption
         A column or a time step is not there.
@@ -86,10 +87,14 @@ class ContactList:
         -----
         Accuracy: numbers as they stand in the file. Source: a policy of this package.
         """
+        self.read = self.dropped = 0
+        with closing(Pairs(self.name)) as pairs:
+            yield from self._checked(pairs)
+
+    def _checked(self, pairs: Pairs) -> Iterator[ContactBlock]:
+        """Blocks of contacts that can be, their pairs noted; in the end all of them once more."""
         import numpy as np
 
-        self.read = self.dropped = 0
-        pairs = Pairs(self.name)
         for rows in self._table.chunks(self.columns.wanted):
             first = self.read + self.dropped + 1
             sound = finite_rows(rows)

@@ -39,9 +39,7 @@ def open_table(path: str | os.PathLike[str], *, step: int | None = None) -> Cont
     FileUnreadable
         The file is missing, is a folder, or may not be read.
     ContactFileUnusable
-        The file is empty, damaged, cut off, or not what its name says.
-    TablesMissing
-        A Parquet file, and pyarrow is not installed.
+        The file is empty, damaged, cut off, or not what its name says; or Parquet, and pyarrow is not installed.
     BadOption
         A time step that is not there, or of a file that has none.
 

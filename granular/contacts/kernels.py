@@ -7,6 +7,7 @@ turns into forces. Neither needs to know the fabric before the list has been rea
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from granular.contacts.compiled import compiled_sums
@@ -24,6 +25,7 @@ COMPILE_FROM = 1 << 20
 """Contacts from which a compiled sum is worth its start."""
 
 _FIRST, _SECOND = (0, 1, 2, 1, 0, 0), (0, 1, 2, 2, 2, 1)
+_TO_MANDEL = (1.0, 1.0, 1.0, math.sqrt(0.5), math.sqrt(0.5), math.sqrt(0.5))
 _PLACE = ((0, 5, 4), (5, 1, 3), (4, 3, 2))
 
 
@@ -44,7 +46,11 @@ def products(vectors: Array) -> Array:
     -----
     Source: symmetry.
     """
-    found: Array = vectors[list(_FIRST)] * vectors[list(_SECOND)]
+    import numpy as np
+
+    found: Array = np.empty((6, vectors.shape[1]))
+    for row, (i, k) in enumerate(zip(_FIRST, _SECOND, strict=True)):
+        np.multiply(vectors[i], vectors[k], out=found[row])
     return found
 
 
@@ -176,6 +182,7 @@ def stiffness_sum(branch: Array, normal: Array, kn: Array, ks: Array, *, compile
     matrix = np.zeros((6, 6))
     matrix[np.triu_indices(6)] = total[:21]
     matrix += np.triu(matrix, 1).T
+    matrix *= np.outer(_TO_MANDEL, _TO_MANDEL)
     rest = PairSums()
     rest.shear += total[21:]
     return matrix + mandel_matrix(symmetrised(rest.tensor()))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from granular.contacts.tables import ROWS
-from granular.errors import ContactFileUnusable, TablesMissing
+from granular.errors import ContactFileUnusable
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
 
 MAGIC = b"PAR1"
 """How a Parquet file begins and ends."""
+
+_BUFFER = 1 << 18
+"""Bytes of a column that are read from the file at a time."""
 
 
 class ParquetTable:
@@ -32,10 +36,8 @@ class ParquetTable:
 
     Raises
     ------
-    TablesMissing
-        pyarrow is not installed.
     ContactFileUnusable
-        The file is damaged or cut off.
+        The file is damaged or cut off, or pyarrow is not installed.
     """
 
     def __init__(self, path: Path, name: str) -> None:
@@ -48,6 +50,7 @@ class ParquetTable:
         """Read the columns some rows at a time; see ``ContactTable``."""
         import numpy as np
         import pyarrow
+        from pyarrow import compute
 
         schema = self._file.schema_arrow
         for column in wanted:
@@ -59,7 +62,9 @@ class ParquetTable:
             for batch in self._opened().iter_batches(batch_size=ROWS, columns=list(wanted), use_threads=False):
                 rows = np.empty((len(wanted), batch.num_rows))
                 for row, column in enumerate(wanted):
-                    rows[row] = batch.column(column).to_numpy(zero_copy_only=False)
+                    # not by to_numpy, which loads pandas where it is installed
+                    numbers = compute.cast(batch.column(column), pyarrow.float64(), safe=False)
+                    rows[row] = np.from_dlpack(compute.fill_null(numbers, math.nan) if numbers.null_count else numbers)
                 yield rows
         except (pyarrow.ArrowException, OSError) as error:
             raise self._damaged(error) from None
@@ -69,12 +74,12 @@ class ParquetTable:
             import pyarrow
             from pyarrow import parquet
         except ImportError:
-            raise TablesMissing(f"{self._name} is a Parquet file, and pyarrow is not installed",
+            raise ContactFileUnusable(f"{self._name} is a Parquet file, and pyarrow is not installed",
                                 allowed="needed: pyarrow, for Parquet files",
                                 remedy="pip install granular[tables], or save the list as CSV.") from None
         try:
-            # with pre_buffer the whole file would be loaded ahead
-            return parquet.ParquetFile(self._path, pre_buffer=False, memory_map=False)
+            # with pre_buffer the whole file would be loaded ahead, without buffer_size a row group of each column
+            return parquet.ParquetFile(self._path, pre_buffer=False, memory_map=False, buffer_size=_BUFFER)
         except (pyarrow.ArrowException, OSError) as error:
             raise self._damaged(error) from None
 

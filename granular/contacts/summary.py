@@ -115,6 +115,12 @@ class ContactSummary:
         """M/V [1/m^3]."""
         return self.contacts / self.volume
 
+    def doubt_of(self, directions: str) -> float:
+        """Standard error of D33 of the normals or of the branches [-], as if contacts were drawn one by one."""
+        moments = self.length_moments
+        spread = moments[f"P2^2 of {directions}"] - moments[f"P2 of {directions}"] ** 2
+        return 5 * math.sqrt(max(spread, 0.0) / self.contacts)
+
     @property
     def is_collinear(self) -> bool:
         """Whether branches follow the normals, as between spheres; the mean cosine of their angle decides."""

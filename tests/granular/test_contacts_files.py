@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import sys
+import tracemalloc
 from pathlib import Path
 from unittest.mock import patch
 
@@ -14,6 +15,7 @@ from granular.contacts import tables
 from granular.contacts.contact_list import ContactList
 from granular.contacts.files import open_table
 from granular.contacts.pairs import Pairs
+from granular.contacts.summary import summarise
 from granular.errors import (
     BadOption,
     ContactColumnsMissing,
@@ -22,7 +24,6 @@ from granular.errors import (
     ContactTwice,
     ContactValuesMissing,
     FileUnreadable,
-    TablesMissing,
 )
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -268,6 +269,27 @@ def test_parquet_without_its_library(tmp_path):
     # Breaks when an optional library is needed for other files, or its absence is not explained.
     path = as_parquet(tmp_path)
     with patch.dict(sys.modules, {"pyarrow": None}):
-        with pytest.raises(TablesMissing, match=r"granular\[tables\]"):
+        with pytest.raises(ContactFileUnusable, match=r"granular\[tables\]"):
             open_table(path)
         assert open_table(EXAMPLE).columns[0] == "id1"
+
+
+def test_memory_does_not_grow_with_the_list(tmp_path, monkeypatch):
+    # Breaks when something is kept of every contact: four times the contacts may take no more memory, but for the
+    # byte a grain that the count of contacts takes, and a twentieth for what Python itself keeps.
+    monkeypatch.setattr("granular.contacts.text_table.ROWS", 500)
+    monkeypatch.setattr("granular.contacts.pairs.IN_MEMORY", 2000)
+    header, rows = table()
+    peaks = []
+    for copies in (1, 4):
+        path = tmp_path / f"{copies}.csv"
+        with path.open("w", encoding="utf-8") as file:
+            file.write(",".join(header) + "\n")
+            for copy in range(copies):
+                file.writelines(f"{int(row[0]) + 2000 * copy},{int(row[1]) + 2000 * copy},{','.join(row[2:])}\n"
+                                for row in rows)
+        tracemalloc.start()
+        assert summarise(path, volume=1.0).contacts == copies * len(rows)
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+    assert peaks[1] < 1.05 * peaks[0] + 6000
