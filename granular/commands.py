@@ -163,7 +163,7 @@ def contacts(
     from granular.contacts.command import compare_to, summary_of
 
     if compare is not None:
-        text, agree = compare_to(compare, out)
+        text, agree = compare_to(compare, out, as_json=json)
         _print(text)
         raise typer.Exit(DONE if agree else MISSED)
     summary = summary_of(file, volume=volume, grains=grains, columns=column or (), step=step, spheres_only=spheres,

@@ -96,6 +96,8 @@ def _fabric(summary: ContactSummary) -> dict[str, Any]:
         name: {"N": tensor.tolist(), "D33": 7.5 * (float(tensor[2, 2]) - 1 / 3), "D33_error": summary.doubt_of(name),
                "D": [[7.5 * (float(tensor[i, j]) - (1 / 3 if i == j else 0.0)) for j in range(3)] for i in range(3)]}
         for name, tensor in (("normals", summary.normals), ("branches", summary.branches))}
+    told["normals"]["tests"] = [{"name": test.name, "statistic": test.statistic, "p": test.p, "words": test.words,
+                                 "degrees_of_freedom": test.degrees_of_freedom} for test in summary.tests]
     try:
         fitted = fitted_fabric(summary)
         return told | {"branch_length": {"Dr33": fitted.Dr33, "l_e": fitted.length}}

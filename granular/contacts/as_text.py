@@ -77,9 +77,11 @@ def _fabric(summary: ContactSummary) -> dict[str, str]:
         return f"D33 {7.5 * (float(of[2, 2]) - 1 / 3):+.4f} +/- {summary.doubt_of(name):.4f}   {axes}"
 
     lengths, moments = summary.lengths, summary.length_moments
-    told = {"normals": tensor(summary.normals, NORMALS), "branches": tensor(summary.branches, BRANCHES)}
+    told = {"normals": tensor(summary.normals, NORMALS),
+            "seen in them": "\n".join(test.words.replace("the given axis", "axis 3") for test in summary.tests),
+            "branches": tensor(summary.branches, BRANCHES)}
     try:
-        told["branch length"] = f"Dr33 {fitted_fabric(summary).Dr33:+.5f}"
+        told["lengths"] = f"Dr33 {fitted_fabric(summary).Dr33:+.5f}"
     except FabricOutOfRange as refusal:
         told["model"] = str(refusal)
     quantiles = "  ".join(f"{round(100 * share)} % {lengths.quantile(share):.5g}" for share in (0.1, 0.5, 0.9))

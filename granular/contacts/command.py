@@ -77,7 +77,7 @@ def summary_of(file: str | None, *, volume: float | None, grains: int | None, co
         progress.end()
 
 
-def compare_to(folder: Path, out: Path | None) -> tuple[str, bool]:
+def compare_to(folder: Path, out: Path | None, *, as_json: bool = False) -> tuple[str, bool]:
     """Compare every packing of a folder, and write the table as data where that is asked for.
 
     Parameters
@@ -86,11 +86,13 @@ def compare_to(folder: Path, out: Path | None) -> tuple[str, bool]:
         With NAME_contacts.csv.gz and NAME_meta.json for every packing.
     out : Path or None
         JSON file to write.
+    as_json : bool
+        Whether the object is wanted in place of the table.
 
     Returns
     -------
     str
-        The table, as text.
+        The table, or the object.
     bool
         Whether every sum agrees with the affine probe.
 
@@ -103,13 +105,13 @@ def compare_to(folder: Path, out: Path | None) -> tuple[str, bool]:
     -----
     Source: the command line's interface.
     """
-    from granular.contacts.comparison import compare_folder, write_comparison
+    from granular.contacts.comparison import as_data, compare_folder, write_comparison
     from granular.contacts.comparison_table import comparison_as_text
 
     packings = compare_folder(folder)
     if out is not None:
         write_comparison(packings, out)
-    return comparison_as_text(packings), all(packing.agrees for packing in packings)
+    return as_data(packings) if as_json else comparison_as_text(packings), all(packing.agrees for packing in packings)
 
 
 def _mapping(columns: Sequence[str]) -> dict[str, str]:

@@ -211,9 +211,29 @@ def write_comparison(packings: Sequence[ComparedPacking], out: Path) -> None:
     """
     from granular.output import write_text
 
+    write_text(out, as_data(packings))
+
+
+def as_data(packings: Sequence[ComparedPacking]) -> str:
+    """A comparison as one JSON object.
+
+    Parameters
+    ----------
+    packings : sequence of ComparedPacking
+        Compared packings.
+
+    Returns
+    -------
+    str
+        Its text, ``agreement`` [-] and ``packings``, with the end of the line.
+
+    Notes
+    -----
+    Source: the records, as they are.
+    """
     content = {"agreement": AGREEMENT, "packings": [asdict(packing) | {"agrees": packing.agrees}
                                                     for packing in packings]}
-    write_text(out, json.dumps(content, indent=1, allow_nan=False) + "\n")
+    return json.dumps(content, indent=1, allow_nan=False) + "\n"
 
 
 def _known(meta: Path) -> dict[str, Any]:

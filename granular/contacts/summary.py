@@ -15,13 +15,14 @@ from granular.contacts.lengths import Lengths
 from granular.contacts.material import Material
 from granular.contacts.moments import Moments
 from granular.contacts.touching import Touching
-from granular.errors import TensorNotInvertible, ValueOutOfRange
+from granular.errors import TensorNotInvertible, TooFewDirections, ValueOutOfRange
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
     from granular.elasticity import Stiffness
+    from granular.fabric_tensors import FabricTensors, SymmetryTest
 
     Array = NDArray[np.float64]
 
@@ -56,6 +57,8 @@ class ContactSummary:
         Mean of n_i n_j, and of the same for the directions of branches [-].
     balance : (3, 3) array
         H_ik = (1/V) sum l_i n_k/l [1/m^3]: f_j = sigma_pj H^-1_kp n_k/l balances the stress.
+    directions : FabricTensors
+        Fabric tensors of the normals up to rank four, with their scatter.
     lengths : Lengths
         Distribution of branch lengths.
     length_moments : dict
@@ -94,6 +97,7 @@ class ContactSummary:
     normals: Array
     branches: Array
     balance: Array
+    directions: FabricTensors
     lengths: Lengths
     length_moments: dict[str, float]
     by_angle: ByAngle
@@ -120,6 +124,16 @@ class ContactSummary:
         moments = self.length_moments
         spread = moments[f"P2^2 of {directions}"] - moments[f"P2 of {directions}"] ** 2
         return 5 * math.sqrt(max(spread, 0.0) / self.contacts)
+
+    @property
+    def tests(self) -> tuple[SymmetryTest, ...]:
+        """Whether the normals are anisotropic at all, and axially symmetric about axis 3; none for a short list."""
+        from granular.fabric_tensors import significance
+
+        try:
+            return significance(self.directions, axis=(0.0, 0.0, 1.0)).tests
+        except TooFewDirections:
+            return ()
 
     @property
     def is_collinear(self) -> bool:
@@ -203,15 +217,18 @@ def summarise(path: str | os.PathLike[str], *, volume: float, grains: int | None
         raise ValueOutOfRange(f"grains = {grains!r}", allowed="allowed 2 or more (two grains make a contact)",
                               remedy="Give the number of all grains in the volume, or leave it out.")
     material = Material() if material is None else material
+    from granular.fabric_tensors import Moments as DirectionMoments
+
     contacts = ContactList(path, columns=columns, step=step, spheres_only=spheres_only, drop_bad=drop_bad)
     moments, by_angle, lengths = Moments(material.friction), ByAngle(), Lengths()
-    touching, numbered, source = Touching(), True, None
+    touching, numbered, source, directions = Touching(), True, None, DirectionMoments()
     for block in contacts.blocks():
         stiffness = (block.kn, block.ks) if block.kn is not None and block.ks is not None else material.stiffness(block)
         if stiffness is not None:
             source = FROM_LIST if stiffness[0] is block.kn else FROM_FORCES
         moments.add(block, stiffness)
         by_angle.add(block, stiffness)
+        directions.add(block.normal.T, normalise=True)
         lengths.add(block.branch)
         if block.bodies is None:
             numbered = False
@@ -224,10 +241,10 @@ def summarise(path: str | os.PathLike[str], *, volume: float, grains: int | None
         raise ValueOutOfRange(f"grains = {grains}", allowed=f"allowed {counts[0]} or more, as many touch in "
                               f"{contacts.name}", remedy="Give the number of all grains, with those that touch "
                               "nothing; for clumps, that of the clumps, with their numbers in grain1 and grain2.")
-    return _summary(contacts, moments, by_angle, lengths, counts, volume, grains, source, material)
+    return _summary(contacts, moments, by_angle, directions.fabric(), lengths, counts, volume, grains, source, material)
 
 
-def _summary(contacts: ContactList, moments: Moments, by_angle: ByAngle, lengths: Lengths,
+def _summary(contacts: ContactList, moments: Moments, by_angle: ByAngle, directions: FabricTensors, lengths: Lengths,
              counts: tuple[int | None, int | None], volume: float, grains: int | None, source: str | None,
              material: Material) -> ContactSummary:
     size = moments.contacts
@@ -243,7 +260,7 @@ def _summary(contacts: ContactList, moments: Moments, by_angle: ByAngle, lengths
     return ContactSummary(
         name=contacts.name, volume=volume, grains=grains, contacts=size, dropped=contacts.dropped, touching=counts[0],
         with_one=counts[1], normals=symmetric(moments.normals) / size, branches=symmetric(moments.branches) / size,
-        balance=balance, lengths=lengths,
+        balance=balance, directions=directions, lengths=lengths,
         length_moments={name: total / size for name, total in moments.lengths.items()},
         by_angle=by_angle, stress=moments.stress / volume if moments.forces else None,
         stress_is_whole=moments.shears == size,

@@ -79,6 +79,14 @@ def test_everything_is_told_with_the_material(command):
     assert told["branch_lengths"]["least"] <= told["branch_lengths"]["quantiles"]["0.5"] <= 0.002
 
 
+def test_fabric_by_two_routes():
+    # Breaks when the sums of this package and its fabric tensors of lists of directions differ.
+    packing = summarise(EXAMPLE, volume=FACTS["V"])
+    tensor = packing.directions.N2
+    assert tensor == pytest.approx(packing.normals, abs=1e-7)  # normals here are rounded to seven digits
+    assert [test.significant() for test in packing.tests] == [False, True, False, False]
+
+
 def test_text_is_for_people(command):
     # Breaks when the text loses a section, or a table grows wider than a terminal.
     code, out, _ = command(EXAMPLE, "--volume", VOLUME, *MATERIAL)
@@ -245,6 +253,7 @@ def test_comparison_of_the_example(command, tmp_path):
     data = json.loads((tmp_path / "dem.json").read_text("utf-8"))["packings"][0]
     assert code == 0
     assert f"{data['stiffness']['eq. (1)']['C3333'] / 1e6:.1f}" in out
+    assert json.loads(command("--compare", example_folder(), "--json")[1])["packings"] == [data]
     assert data["affine_miss"] < 5e-3
     assert 1.2 < data["bound"]["C3333"] < 1.4
     assert 0.3 < data["recovered"]["C3333"] < 0.6
