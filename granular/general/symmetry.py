@@ -217,7 +217,8 @@ def _six_by_six(turns: Array) -> Array:
 
     weight = np.where(np.arange(6) < NORMAL_PAIRS, 1.0, math.sqrt(2.0))
     found: Array = (taken(first, first) * taken(second, second) + taken(first, second) * taken(second, first)) / 2
-    return found * np.outer(weight, weight)
+    found *= np.outer(weight, weight)
+    return found
 
 
 def _in_frames(matrix: Array, frames: Array) -> Array:
