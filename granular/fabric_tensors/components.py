@@ -248,29 +248,6 @@ def moments_of(D2: Array, D4: Array) -> Array:
     return np.stack(emitted(*without_33, *np.moveaxis(D4, -1, 0)), axis=-1)
 
 
-def rotated(components: Array, rotation: Array) -> Array:
-    """Components of a symmetric tensor of rank four in axes that are turned.
-
-    Parameters
-    ----------
-    components : (15,) or (15, m) array
-        In the order of ``QUADRUPLES`` [any unit].
-    rotation : (3, 3) array
-        Row i is the new axis i in the old ones [-].
-
-    Returns
-    -------
-    (15,) or (15, m) array
-        In the new axes [same unit].
-
-    Notes
-    -----
-    Accuracy: to rounding. Source: the law of transformation, as one 15 x 15 matrix.
-    """
-    turned: Array = rotation_matrix(rotation) @ components
-    return turned
-
-
 def rotation_matrix(rotation: Array) -> Array:
     """Matrix that turns the 15 components of a symmetric tensor of rank four.
 
