@@ -133,11 +133,13 @@ def contacts(
     file: Annotated[str | None, typer.Argument(
         metavar="FILE", help="A contact list: CSV or white-space text (.gz too), Parquet, dump of LAMMPS.")] = None,
     volume: Annotated[float | None, typer.Option(
-        "--volume", metavar="V", help="Volume of the sample [m^3], grains and voids together.")] = None,
+        "--volume", metavar="V", help="Volume of the sample in m^3, grains and voids together.")] = None,
     grains: Annotated[int | None, typer.Option(
         "--grains", metavar="N", help="All grains in it, with those that touch nothing.")] = None,
     column: Annotated[list[str] | None, typer.Option(
-        "--column", metavar="NAME=COLUMN", help="Which column holds what, such as n1=nx; may be repeated.")] = None,
+        "--column", metavar="NAME=COLUMN", help="Which column holds what, such as n1=nx; may be repeated. Names: "
+        "id1 id2 l1 l2 l3 n1 n2 n3 R1 R2 fn fs1 fs2 fs3 kn ks overlap, grain1 grain2 of clumps, centres x1 y1 z1 x2 y2 "
+        "z2 in place of l1 l2 l3, a force f1 f2 f3 in place of fn fs1 fs2 fs3.")] = None,
     step: Annotated[int | None, typer.Option(
         "--step", metavar="T", help="Time step of a dump; the last one by default.")] = None,
     spheres: Annotated[bool, typer.Option(
@@ -162,7 +164,13 @@ def contacts(
     """Fabric, forces and stiffness of a contact list, and what the model makes of it."""
     from granular.contacts.command import compare_to, summary_of
 
+    if compare is None and out is not None:
+        raise BadOption(f"--out {out} without --compare", allowed="allowed with --compare",
+                        remedy="Send the result of a list to a file with --json > FILE.")
     if compare is not None:
+        if file is not None or figure is not None:
+            raise BadOption("a contact list or a figure is named with --compare", allowed="allowed one or the other",
+                            remedy="Run one after the other.")
         text, agree = compare_to(compare, out, as_json=json)
         _print(text)
         raise typer.Exit(DONE if agree else MISSED)

@@ -236,6 +236,40 @@ def as_data(packings: Sequence[ComparedPacking]) -> str:
     return json.dumps(content, indent=1, allow_nan=False) + "\n"
 
 
+def read_comparison(path: Path) -> list[ComparedPacking]:
+    """Read back what ``write_comparison`` wrote, for the book.
+
+    Parameters
+    ----------
+    path : Path
+        JSON file.
+
+    Returns
+    -------
+    list of ComparedPacking
+        The records.
+
+    Raises
+    ------
+    FileUnreadable, WrongType
+        There is no such file, or it is no JSON.
+
+    Notes
+    -----
+    Source: the records, as they are.
+    """
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise FileUnreadable(f"{path.name} cannot be read ({(error.strerror or str(error)).lower()})",
+                             allowed="needed: a recorded comparison", remedy="Check the path.") from None
+    except ValueError:
+        raise WrongType(f"{path.name} is no JSON", allowed="needed: a recorded comparison",
+                        remedy="Write it again with granular contacts --compare FOLDER --out FILE.") from None
+    return [ComparedPacking(**{key: value for key, value in packing.items() if key != "agrees"})
+            for packing in content["packings"]]
+
+
 def _known(meta: Path) -> dict[str, Any]:
     name = meta.name
     try:

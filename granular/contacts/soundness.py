@@ -126,7 +126,8 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None
         refuse(shear < 0, "ks below zero", lambda k: f"{shear[k]:.4g}", "ks >= 0", "Check which column it is.")
     if (force := block.normal_force) is not None:
         refuse(force < 0, "a tensile force", lambda k: f"fn = {force[k]:.4g} N", "fn >= 0, compression positive",
-               "Change the sign if the program counts tension positive; leave out contacts that are held by cohesion.")
+               "Change the sign if tension is positive there, exchange the two grains if f1 f2 f3 is the force on the "
+               "first; leave out contacts that are held by cohesion.")
     if (overlap := block.overlap) is not None:
         refuse(overlap < 0, "a negative overlap", lambda k: f"overlap = {overlap[k]:.4g} m", "overlap >= 0",
                "Leave out pairs that do not touch.")

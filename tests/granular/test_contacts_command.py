@@ -13,7 +13,7 @@ import pytest
 from granular.__main__ import main
 from granular.array_stiffness import axial_stiffness
 from granular.contacts.by_angle import ByAngle
-from granular.contacts.comparison import compare_folder
+from granular.contacts.comparison import compare_folder, read_comparison, write_comparison
 from granular.contacts.estimate import estimated_forces
 from granular.contacts.example import example_folder
 from granular.contacts.lengths import Lengths
@@ -30,6 +30,8 @@ from granular.contacts.prediction import (
 from granular.contacts.summary import summarise
 from granular.contacts.touching import PAGE, Touching
 from granular.errors import FileUnreadable, MissingKey, ValueOutOfRange, WrongType
+from granular.figures.files import static_bytes
+from granular.figures.packings import packings_figure
 from granular.hypothesis import Hypothesis
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -132,6 +134,8 @@ def test_one_contact_is_a_list(command, tmp_path):
     ([EXAMPLE, "--volume", VOLUME, "--shear-modulus", "29e9"], ["ConflictingKeys", "without the other"]),
     ([EXAMPLE, "--volume", VOLUME, "--plot", "a.html"], ["FigureNotKnown", ".svg"]),
     (["--compare", "no_such_folder"], ["FileUnreadable", "no packing"]),
+    ([EXAMPLE, "--compare", "folder"], ["BadOption", "one or the other"]),
+    ([EXAMPLE, "--volume", VOLUME, "--out", "x.json"], ["BadOption", "without --compare"]),
 ])
 def test_wrong_input_is_one_line_and_exit_code_2(command, arguments, words):
     # Breaks when a mistake ends in a traceback, in a wrong exit code, or without a remedy.
@@ -140,6 +144,14 @@ def test_wrong_input_is_one_line_and_exit_code_2(command, arguments, words):
     assert err.count("\n") == 1
     for word in words:
         assert word in err
+
+
+def test_long_readings_say_how_far_they_are(command, monkeypatch):
+    # Breaks when a long reading looks like one that hangs, or when progress mixes with the result.
+    monkeypatch.setattr("granular.contacts.command.PATIENCE", 0.0)
+    code, out, err = command(EXAMPLE, "--volume", VOLUME, "--json")
+    assert (code, err) == (0, "Read 5,753 contacts\n")
+    json.loads(out)
 
 
 def test_nothing_heavy_is_loaded_for_a_short_list():
@@ -257,6 +269,22 @@ def test_comparison_of_the_example(command, tmp_path):
     assert data["affine_miss"] < 5e-3
     assert 1.2 < data["bound"]["C3333"] < 1.4
     assert 0.3 < data["recovered"]["C3333"] < 0.6
+
+
+def test_the_picture_of_packings_is_drawn_from_its_data(tmp_path):
+    # Breaks when records do not come back as they were written, or the picture needs what a packing may lack.
+    packings = compare_folder(example_folder())
+    write_comparison(packings, tmp_path / "dem.json")
+    again = read_comparison(tmp_path / "dem.json")
+    assert again == packings
+    del again[0].stiffness["rotations only"]
+    assert static_bytes(packings_figure(again), "svg").startswith(b"<?xml")
+    for text, kind in ((None, FileUnreadable), ("{", WrongType)):
+        path = tmp_path / "other.json"
+        if text is not None:
+            path.write_text(text, "utf-8")
+        with pytest.raises(kind):
+            read_comparison(path)
 
 
 def test_a_wrong_sum_fails_the_comparison(command, tmp_path):

@@ -293,3 +293,22 @@ def test_memory_does_not_grow_with_the_list(tmp_path, monkeypatch):
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     assert peaks[1] < 1.05 * peaks[0] + 6000
+
+
+def test_a_dump_of_centres_and_forces_is_the_same_packing(tmp_path):
+    # Breaks when what LIGGGHTS writes (pos, id, force of pair/gran/local) does not give the contacts that it came from.
+    expected = arrays(EXAMPLE)
+    branch, normal = expected["branch"], expected["normal"]
+    force = expected["normal_force"] * normal + expected["shear_force"]
+    rows = np.concatenate([0 * branch, branch, expected["spheres"], force])
+    names = [f"c_fc[{k}]" for k in range(1, len(rows) + 1)]
+    lines = [" ".join(f"{value:.17g}" for value in row) for row in rows.T]
+    path = written(tmp_path / "fc.dump", "ITEM: TIMESTEP", "5", "ITEM: NUMBER OF ENTRIES", str(len(lines)),
+                   "ITEM: BOX BOUNDS pp pp pp", "0 1", "0 1", "0 1", "ITEM: ENTRIES " + " ".join(names), *lines)
+    mapping = dict(zip(["x1", "y1", "z1", "x2", "y2", "z2", "id1", "id2", "f1", "f2", "f3"], names, strict=True))
+    block = next(ContactList(path, columns=mapping, spheres_only=True).blocks())
+    # in a sheared periodic cell branches are up to 4e-4 rad off the normals, and fs is at most a fifth of fn
+    assert block.normal == pytest.approx(normal, abs=5e-4)
+    assert block.normal_force == pytest.approx(expected["normal_force"], rel=1e-4)
+    exchanged = dict(mapping, x1=names[3], y1=names[4], z1=names[5], x2=names[0], y2=names[1], z2=names[2])
+    refused(path, ContactImpossible, "tensile", "exchange the two grains", columns=exchanged, spheres_only=True)
