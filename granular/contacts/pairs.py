@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     Keys = NDArray[np.uint64]
 
-IN_MEMORY = 1 << 20
-"""Pairs that are kept in memory before they are written [-], 8 MiB."""
+IN_MEMORY = 1 << 18
+"""Pairs that are kept in memory before they are written [-], 2 MiB and five times that while they are."""
 
 FILES = 64
 """Temporary files, so that of 10^8 contacts 12 MB are in memory at a time."""
