@@ -141,3 +141,53 @@ def contact_stiffness(forces: Array, friction: float | None, directions: Array,
     aside = np.sqrt(((force - pressing * directions) ** 2).sum(axis=0))
     shear = ratio * np.cbrt(np.maximum(pressing - aside / friction, 0.0))
     return normal, shear, normal - shear
+
+
+def most_mobilised(forces: Array) -> tuple[float, Array]:
+    """Largest shear force over normal force, and the direction of it: contacts slide where friction is less.
+
+    Parameters
+    ----------
+    forces : (3, 3) array
+        B of :meth:`GeneralLoading.force_tensor` [-].
+
+    Returns
+    -------
+    ratio : float
+        Largest f_r/f_n over all directions [-]; infinite where contacts have opened.
+    direction : (3,) array
+        Where [-].
+
+    Notes
+    -----
+    Accuracy: 1e-14 of 1 + ratio^2; the highest of 4000 directions are followed uphill. Source: eq. (23).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> round(most_mobilised(np.diag([1.0, 1.0, 1.5]))[0], 12)  # (1.5 - 1)/(2 sqrt(1.5))
+    0.204124145232
+    """
+    import numpy as np
+    from scipy.optimize import minimize
+
+    from granular.general.fabric import spread_directions
+
+    symmetric, squared = (forces + forces.T) / 2, forces.T @ forces
+    values, vectors = np.linalg.eigh(symmetric)
+    if values[0] <= 0:
+        return float("inf"), vectors[:, 0]
+
+    def steepness(n: Array) -> tuple[float, Array]:
+        """-\\|f\\|^2/f_n^2 for n of any length, and its gradient."""
+        length, pressing, force = n @ n, n @ symmetric @ n, n @ squared @ n
+        value = force * length / pressing**2
+        slope = 2 * value * (squared @ n / force + n / length - 2 * symmetric @ n / pressing)
+        return -float(value), -slope
+
+    n = spread_directions(4000)
+    height = ((squared @ n) * n).sum(axis=0) / ((symmetric @ n) * n).sum(axis=0) ** 2
+    best = n[:, np.argsort(height)[-12:]].T
+    found = [minimize(steepness, start, jac=True, method="BFGS", options={"gtol": 1e-10}) for start in best]
+    top = min(found, key=lambda one: float(one.fun))
+    return float(np.sqrt(max(-float(top.fun) - 1, 0.0))), top.x / np.linalg.norm(top.x)

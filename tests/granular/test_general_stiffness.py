@@ -15,7 +15,7 @@ from granular.errors import ComplianceInfinite, RouteOutOfDomain, UnknownChoice,
 from granular.fabric import AxialFabric
 from granular.general import GeneralFabric, GeneralLoading, general_stiffness
 from granular.general.axis import axial_scene, rotation_to
-from granular.general.loading import contact_stiffness
+from granular.general.loading import contact_stiffness, most_mobilised
 from granular.hypothesis import Hypothesis
 from granular.loading import Loading
 from granular.mandel import axial_rows, turned
@@ -235,6 +235,22 @@ def test_contacts_that_slide_or_open_have_no_static_stiffness() -> None:
                           (GeneralLoading(NON_COAXIAL.stress, friction=0.0), "slide")):
         with pytest.raises(ComplianceInfinite, match=f"G-STA-01.*{word}"):
             general_stiffness(fabric, poisson_ratio=NU, hypothesis="static", loading=loading)
+
+
+def test_the_last_island_of_sliding_is_found() -> None:
+    """A patch of sliding contacts too small for any grid makes the compliance infinite, too."""
+    fabric = general_fabric(28)
+    forces = NON_COAXIAL.force_tensor(fabric)
+    limit, direction = most_mobilised(forces)
+    force = forces @ direction
+    pressing = force @ direction
+    assert np.linalg.norm(force - pressing * direction) / pressing == pytest.approx(limit, rel=1e-13)
+    with pytest.raises(ComplianceInfinite, match="slide along n = "):
+        general_stiffness(fabric, poisson_ratio=NU, hypothesis="static",
+                          loading=GeneralLoading(NON_COAXIAL.stress, friction=limit * (1 - 1e-9)))
+    found = general_stiffness(fabric, poisson_ratio=NU, hypothesis="static", rtol=1e-6,
+                              loading=GeneralLoading(NON_COAXIAL.stress, friction=limit * (1 + 1e-9)))
+    assert np.linalg.eigvalsh(found.mandel())[0] > 0
 
 
 def test_without_friction_there_is_no_shear_stiffness() -> None:
