@@ -30,6 +30,9 @@ REAL = 1e-9
 """Imaginary parts below this belong to real roots [rad]."""
 
 
+AT_END = 3e-8
+"""Roots this close to an end of a meridian lie on it: a double root there is known to half the digits [rad]."""
+
 TOUCHING = 1e-6
 """Two edges closer than this are not counted: rounding decides whether a double root is real [rad]."""
 
@@ -265,7 +268,7 @@ def panels(integrand: Integrand, meridians: Meridians, *, finest: float) -> Pane
 
     ends = meridians.ends()
     roots = special_angles(integrand, meridians)
-    counted = (np.abs(roots.imag) < FAR) & (roots.real > 0) & (roots.real < ends[:, None])
+    counted = (np.abs(roots.imag) < FAR) & (roots.real > AT_END) & (roots.real < ends[:, None] - AT_END)
     real = counted & (np.abs(roots.imag) < REAL)
     zero = np.zeros_like(ends)
     place = np.concatenate([zero[:, None], np.where(counted, roots.real, ends[:, None]), ends[:, None]], axis=1)

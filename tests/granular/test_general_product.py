@@ -8,13 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from granular.elasticity import Stiffness
 from granular.errors import RouteOutOfDomain
 from granular.general import GeneralFabric, GeneralLoading, general_stiffness, product
 from granular.general.loading import most_mobilised
 from granular.general.meridians import Integrand, Meridians, directions, panels, special_angles
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from general_fabrics import apart, general_fabric
+from general_fabrics import apart, general_fabric, rotation
 
 STRESS = np.array([[1.5, 0.4, 0.1], [0.4, 1.0, 0.2], [0.1, 0.2, 0.6]])
 FABRIC = GeneralFabric(np.diag([0.1, 0.2, -0.3]))
@@ -69,6 +70,16 @@ def test_one_island_closes_smoothly() -> None:
     limit, _ = most_mobilised(GeneralLoading(STRESS).force_tensor(FABRIC))
     below, above = (stiffness(FABRIC, STRESS, limit * (1 + step), 1e-8) for step in (-1e-5, 1e-5))
     assert apart(below, above) < 1e-4
+
+
+@pytest.mark.parametrize("stress", [np.diag([1.0, 1.5, 0.0]) + 0.2 * np.outer([0, 1.0, 0], [1.0, 0, 0]) + 0.2 * np.outer(
+    [1.0, 0, 0], [0, 1.0, 0]), np.diag([0.0, 0.0, 1.0])], ids=["one", "two"])
+def test_principal_stresses_of_zero(stress: np.ndarray) -> None:
+    """The force vanishes like the square of the distance at a corner, a double root that rounding splits at will."""
+    turn = rotation(4)
+    plain = stiffness(FABRIC, stress, None, 1e-12)
+    turned = stiffness(GeneralFabric(turn @ np.array(FABRIC.D) @ turn.T), turn @ stress @ turn.T, None, 1e-12)
+    assert apart(turned, np.array(Stiffness.from_mandel(plain).rotated(turn).rows)) < 1e-12
 
 
 def test_edges_are_where_sliding_begins() -> None:
