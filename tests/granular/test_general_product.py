@@ -72,8 +72,8 @@ def test_one_island_closes_smoothly() -> None:
     assert apart(below, above) < 1e-4
 
 
-@pytest.mark.parametrize("stress", [np.diag([1.0, 1.5, 0.0]) + 0.2 * np.outer([0, 1.0, 0], [1.0, 0, 0]) + 0.2 * np.outer(
-    [1.0, 0, 0], [0, 1.0, 0]), np.diag([0.0, 0.0, 1.0])], ids=["one", "two"])
+@pytest.mark.parametrize("stress", [np.array([[1.0, 0.2, 0.0], [0.2, 1.5, 0.0], [0.0, 0.0, 0.0]]),
+                                    np.diag([0.0, 0.0, 1.0])], ids=["one", "two"])
 def test_principal_stresses_of_zero(stress: np.ndarray) -> None:
     """The force vanishes like the square of the distance at a corner, a double root that rounding splits at will."""
     turn = rotation(4)
