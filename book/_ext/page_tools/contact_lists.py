@@ -242,7 +242,7 @@ def refusals_table() -> Markup:
         try:
             attempt()
         except GranularError as refusal:
-            rows.append([fault, f"{{ref}}`{refusal.code} <error-{refusal.code.lower()}>`", plain(refusal.found)])
+            rows.append([fault, f"{{ref}}`{refusal.code} <error-{refusal.code.lower()}>`", _as_found(refusal)])
         else:
             raise AssertionError(f"{fault} was not refused")
     return table(["fault", "code", "what the message says is found"], rows, label="tab-contact-refusals", align="lll",
@@ -253,6 +253,12 @@ def refusals_table() -> Markup:
 def block_words() -> Markup:
     """How much is in memory at a time."""
     return Markup(f"Of any file {ROWS:,} contacts are in memory at a time.\n".replace(",", "\u2009", 1))
+
+
+def _as_found(refusal: GranularError) -> str:
+    """What a message says is found, without the name of the made-up file; two hyphens stay two hyphens."""
+    found = refusal.found.removeprefix('"list.csv"').removeprefix(": ").removeprefix(", ").strip()
+    return plain(found).replace("--", "\\-\\-")
 
 
 def mapped(columns: dict[str, str], file: str) -> Markup:
