@@ -19,10 +19,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from granular.array_stiffness import axial_stiffness
     from granular.branch_stiffness import stiffness_by_direction
+    from granular.contacts import summarise
     from granular.elasticity import Compliance, Stiffness
     from granular.errors import GranularError
     from granular.evaluation import Evaluation, evaluate
     from granular.fabric import AxialFabric
+    from granular.fabric_tensors import fabric_of
+    from granular.general import GeneralFabric, GeneralLoading, classify, general_stiffness
     from granular.gradation import Lognormal, MeasuredCurve, length_moments, read_curve
     from granular.hypothesis import Hypothesis
     from granular.planning import Plan, plan
@@ -34,6 +37,8 @@ _HOME = {
     "AxialFabric": "granular.fabric",
     "Compliance": "granular.elasticity",
     "Evaluation": "granular.evaluation",
+    "GeneralFabric": "granular.general",
+    "GeneralLoading": "granular.general",
     "GranularError": "granular.errors",
     "Hypothesis": "granular.hypothesis",
     "Lognormal": "granular.gradation",
@@ -42,17 +47,21 @@ _HOME = {
     "Scene": "granular.scene",
     "Stiffness": "granular.elasticity",
     "axial_stiffness": "granular.array_stiffness",
+    "classify": "granular.general",
     "evaluate": "granular.evaluation",
+    "fabric_of": "granular.fabric_tensors",
+    "general_stiffness": "granular.general",
     "length_moments": "granular.gradation",
     "plan": "granular.planning",
     "read_curve": "granular.gradation",
     "stiffness_by_direction": "granular.branch_stiffness",
+    "summarise": "granular.contacts",
 }
 
 __all__ = [
-    "AxialFabric", "Compliance", "Evaluation", "GranularError", "Hypothesis", "Lognormal", "MeasuredCurve", "Plan",
-    "Scene", "Stiffness", "axial_stiffness", "evaluate", "length_moments", "plan", "read_curve",
-    "stiffness_by_direction",
+    "AxialFabric", "Compliance", "Evaluation", "GeneralFabric", "GeneralLoading", "GranularError", "Hypothesis",
+    "Lognormal", "MeasuredCurve", "Plan", "Scene", "Stiffness", "axial_stiffness", "classify", "evaluate", "fabric_of",
+    "general_stiffness", "length_moments", "plan", "read_curve", "stiffness_by_direction", "summarise",
 ]
 
 

@@ -22,7 +22,7 @@ def test_the_picture_is_computed() -> None:
 def test_python_lines_run() -> None:
     """Each Python block runs as it stands, in order, in one session."""
     blocks = re.findall(r"```python\n(.*?)```", README, flags=re.S)
-    assert len(blocks) == 2
+    assert len(blocks) == 3
     run = subprocess.run([sys.executable, "-W", "error", "-c", "\n".join(blocks)], capture_output=True, text=True,
                          cwd=ROOT, check=False)
     assert (run.returncode, run.stderr) == (0, "")
