@@ -180,7 +180,7 @@ def _sphere(axes: Axes, bar: Axes, fabric: GeneralFabric, loading: GeneralLoadin
     n = np.stack([np.sin(beta) * np.cos(azimuth), np.sin(beta) * np.sin(azimuth), np.cos(beta)])
     flat, across, up = n.reshape(3, -1), *_projected(n)
     shades = axes.contourf(across, up, along(found, flat).reshape(beta.shape), levels=12, cmap=MAP)
-    bar.figure.colorbar(shades, cax=bar, format="%.2f", ticks=MaxNLocator(5)).outline.set_visible(False)
+    bar.figure.colorbar(shades, cax=bar, format="%.3g", ticks=MaxNLocator(5)).outline.set_visible(False)
     normal, shear, _ = contact_stiffness(loading.force_tensor(fabric), loading.friction, flat, poisson_ratio)
     sticks = (shear - NO_SHEAR * normal).reshape(beta.shape)
     axes.contour(across, up, sticks, levels=[0.0], colors="white", linestyles="--", linewidths=1.2)

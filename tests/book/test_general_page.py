@@ -88,9 +88,9 @@ def test_the_plain_sum_and_the_other_frame_agree(shown: dict[str, Any]) -> None:
 
 
 def test_stated_errors_are_above_those_found(shown: dict[str, Any]) -> None:
-    """Breaks when an estimate is too low, or a finer wish takes fewer directions."""
+    """Breaks when an estimate is too low or not half of what was wanted, or a finer wish takes fewer directions."""
     found = rows(general_fabric.accuracy(shown["fabric"], shown["loading"]))
-    assert all(float(row[2]) <= float(row[1]) <= float(row[0]) for row in found)
+    assert all(100 * float(row[2]) < float(row[1]) == pytest.approx(float(row[0]) / 2) for row in found)
     assert [int(row[3]) for row in found] == sorted(int(row[3]) for row in found)
 
 
@@ -103,10 +103,10 @@ def test_the_axial_scene_is_recognised(shown: dict[str, Any]) -> None:
 
 def test_words_on_the_scenes(shown: dict[str, Any]) -> None:
     """Breaks when a class or route differs from what the page says, or sliding is not what takes symmetry away."""
-    found = rows(general_fabric.scenes(shown["loading"].friction))
+    found = taken(general_fabric.scenes(shown["loading"].friction))[1:]
     assert [row[1] for row in found] == ["transversely isotropic"] * 2 + ["orthotropic"] * 2 + ["general"] * 3
-    assert [row[4] for row in found] == ["`axial: closed_form`", "`axial: axial`", "`closed_form`", "`product`",
-                                         "`closed_form`", "`product`", "`product`"]
+    assert [row[4] for row in found] == ["axial: closed_form", "axial: axial", "closed_form", "product",
+                                         "closed_form", "product", "product"]
     sticking, sliding = (float(row[2].removesuffix(" %")) for row in found[-2:])
     assert sliding > 3 * sticking
 
