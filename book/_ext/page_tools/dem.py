@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from contextlib import chdir
 from functools import lru_cache
@@ -54,14 +55,14 @@ def headline() -> Markup:
     back = _shares(DIAGONAL, spheres=True)
     return boxed("Against packings of known stiffness", Markup(
         f"- Eq. (1) summed over the contacts is the stiffness of a packing whose grains follow the mean strain: within "
-        f"{100 * max(packing.affine_miss for packing in packings()):.2f} % of $C_{{3333}}$ in each of 36 components.\n"
+        f"{_at_most(100 * max(packing.affine_miss for packing in packings()), 2)} % of $C_{{3333}}$ in each of 36 components.\n"
         f"- Real grains do not follow it. Eq. (1) is {press} times the relaxed stiffness in compression and {shear} "
         f"times in shear. The bulk modulus alone is close: {bulk} times.\n"
         f"- The static sum, eq. (5), takes back {_ends(back, 100, '.0f')} % of that distance for spheres. It takes it "
         "from the scatter of the contact stiffness ([](contact_lists.md)), which the continuum model does not have: "
         f"the static prediction of the model takes back {_ends(_model_shares(), 100, '.1f')} %.\n"
         "- The model that knows fabric, void ratio, coordination and stress only is "
-        f"{_ends(_alone_over_sum(), 1, '.2f')} times eq. (1) in the same components.\n"))
+        f"{_ends(_alone_over_sum(), 1, '.2f')} times eq. (1) for spheres.\n"))
 
 
 def packings_table() -> Markup:
@@ -83,7 +84,7 @@ def affine_table() -> Markup:
     worst = max(packing.affine_miss for packing in packings())
     heads = ["$C_{3333}$, (1)", "probe", "$C_{2323}$, (1)", "probe", "difference", "$p/C_{3333}$"]
     return table(["packing", *heads], rows, label="tab-dem-affine", align="lrrrrrr", take_away="dem_affine.csv",
-                 caption=f"Eq. (1) and the affine probe agree within {100 * worst:.3f} % of $C_{{3333}}$, where "
+                 caption=f"Eq. (1) and the affine probe agree within {_at_most(100 * worst, 3)} % of $C_{{3333}}$, where "
                          f"{100 * AGREEMENT:g} % is allowed [MPa]. The difference is the largest of 36 components.")
 
 
@@ -224,14 +225,14 @@ def clump_words() -> Markup:
 
 def anisotropy_table() -> Markup:
     """Ratios of components, which survive better."""
-    ways = {KINEMATIC: "eq. (1)", SCENE: "model alone", RELAXED: "relaxed"}
+    ways = {KINEMATIC: "(1)", SCENE: "model", RELAXED: "relaxed"}
     rows = [[packing.name, *(_number(_ratio(packing.stiffness[way], *pair)) for pair in
                              (("C1111", "C3333"), ("C2323", "C1212")) for way in ways)] for packing in packings()]
     return table(["packing", *(f"{ratio}, {name}" if first else name for ratio in
                                ("$C_{1111}/C_{3333}$", "$C_{2323}/C_{1212}$")
                                for name, first in zip(ways.values(), (True, False, False), strict=True))], rows,
                  label="tab-dem-ratios", align="lrrrrrr", take_away="dem_ratios.csv",
-                 caption=f"Anisotropy. Eq. (1) is within {_ratio_miss(KINEMATIC):.1f} % of the relaxed ratios, "
+                 caption=f"Anisotropy. Eq. (1) is within {_at_most(_ratio_miss(KINEMATIC), 1)} % of the relaxed ratios, "
                          "although each of the components is far from its own.")
 
 
@@ -256,8 +257,10 @@ def packings_drawn() -> Static:
 
 def source() -> Markup:
     """Which program made the packings."""
-    return Markup(f"The packings were made and probed with {example_facts()['code'].split(',')[0]}, a discrete-element "
-                  "program that shares no line with this library.\n")
+    return Markup("The packings were made, and the affine probe was run, with "
+                  f"{example_facts()['code'].split(',')[0]}, a discrete-element program that shares no line with this "
+                  "library. Free spins and the relaxed stiffness are those of its contacts as a network of linear "
+                  "springs, solved for all displacements and spins.\n")
 
 
 def live() -> Markup:
@@ -379,6 +382,11 @@ def _number(value: float | None, form: str = ".2f", factor: float = 1.0, after: 
 
 def _ends(values: Sequence[float], factor: float = 1.0, form: str = ".2f") -> str:
     return f"{_number(min(values), form, factor)} to {_number(max(values), form, factor)}"
+
+
+def _at_most(value: float, digits: int) -> str:
+    """A number that nothing behind the word "within" exceeds: rounded upwards."""
+    return f"{math.ceil(value * 10**digits) / 10**digits:.{digits}f}"
 
 
 def _signed(value: float) -> str:
