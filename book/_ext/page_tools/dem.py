@@ -52,10 +52,10 @@ def headline() -> Markup:
     """The result of the page in a box."""
     press, shear = _ends(_bounds("C1111", "C3333")), _ends(_bounds("C2323", "C1212"))
     bulk = _ends([_bulk(packing, KINEMATIC) / _bulk(packing, RELAXED) for packing in packings()])
-    back = _shares(DIAGONAL, spheres=True)
+    back, miss = _shares(DIAGONAL, spheres=True), max(packing.affine_miss for packing in packings())
     return boxed("Against packings of known stiffness", Markup(
         f"- Eq. (1) summed over the contacts is the stiffness of a packing whose grains follow the mean strain: within "
-        f"{_at_most(100 * max(packing.affine_miss for packing in packings()), 2)} % of $C_{{3333}}$ in each of 36 components.\n"
+        f"{_at_most(100 * miss, 2)} % of $C_{{3333}}$ in each of 36 components.\n"
         f"- Real grains do not follow it. Eq. (1) is {press} times the relaxed stiffness in compression and {shear} "
         f"times in shear. The bulk modulus alone is close: {bulk} times.\n"
         f"- The static sum, eq. (5), takes back {_ends(back, 100, '.0f')} % of that distance for spheres. It takes it "
@@ -84,7 +84,7 @@ def affine_table() -> Markup:
     worst = max(packing.affine_miss for packing in packings())
     heads = ["$C_{3333}$, (1)", "probe", "$C_{2323}$, (1)", "probe", "difference", "$p/C_{3333}$"]
     return table(["packing", *heads], rows, label="tab-dem-affine", align="lrrrrrr", take_away="dem_affine.csv",
-                 caption=f"Eq. (1) and the affine probe agree within {_at_most(100 * worst, 3)} % of $C_{{3333}}$, where "
+                 caption=f"Eq. (1) and the affine probe agree within {_at_most(100 * worst, 3)} % of $C_{{3333}}$; "
                          f"{100 * AGREEMENT:g} % is allowed [MPa]. The difference is the largest of 36 components.")
 
 
@@ -232,8 +232,8 @@ def anisotropy_table() -> Markup:
                                ("$C_{1111}/C_{3333}$", "$C_{2323}/C_{1212}$")
                                for name, first in zip(ways.values(), (True, False, False), strict=True))], rows,
                  label="tab-dem-ratios", align="lrrrrrr", take_away="dem_ratios.csv",
-                 caption=f"Anisotropy. Eq. (1) is within {_at_most(_ratio_miss(KINEMATIC), 1)} % of the relaxed ratios, "
-                         "although each of the components is far from its own.")
+                 caption=f"Anisotropy. Eq. (1) is within {_at_most(_ratio_miss(KINEMATIC), 1)} % of the relaxed "
+                         "ratios, although each of the components is far from its own.")
 
 
 def sliding_words() -> Markup:
