@@ -41,7 +41,7 @@ def routes_table() -> Markup:
     """List the records: what each route serves, where its promise comes from, and its price."""
     rows = [[f"`{route.name}`<br>{plain(route.title)}<br>*price* {_price(route.price)}", plain(route.domain),
              _units(route.error_model)] for route in CATALOGUE]
-    return table(["route", "serves", "promise from"], rows, label="tab-routes", take_away="routes.csv",
+    return table(["route", "serves", "promise from"], rows, label="tab-route-list", take_away="routes.csv",
                  taken=[["route", "title", "serves", "promise from", "call", "fractions", "operation", "direction"],
                         *([route.name, route.title, route.domain, route.error_model, repr(route.price.call),
                            repr(route.price.fractions), repr(route.price.operation), repr(route.price.evaluation)]
