@@ -33,13 +33,13 @@ Powers = tuple[int, int, int]
 Form = dict[Powers, sp.Expr]
 """A homogeneous polynomial in the direction: coefficient of n1^a n2^b n3^c by (a, b, c)."""
 
-MOMENT = dict(zip(FOURS, TENSOR_MOMENTS, strict=True))
+MOMENT: dict[tuple[int, ...], sp.Symbol] = dict(zip(FOURS, TENSOR_MOMENTS, strict=True))
 
 INDICES = tuple((*first, *second) for first, second in combinations_with_replacement(PAIRS, 2))
 """Indices of the 21 components, in the order of :data:`derivations.symbols.TWENTY_ONE`."""
 
 NORMAL_2 = dict(zip(PAIRS, NORMALS_2, strict=True)) | {(j, i): s for (i, j), s in zip(PAIRS, NORMALS_2, strict=True)}
-NORMAL_4 = dict(zip(FOURS, NORMALS_4, strict=True))
+NORMAL_4: dict[tuple[int, ...], sp.Symbol] = dict(zip(FOURS, NORMALS_4, strict=True))
 
 
 def powers_of(indices: tuple[int, ...]) -> Powers:
@@ -49,7 +49,7 @@ def powers_of(indices: tuple[int, ...]) -> Powers:
 
 def moment(*indices: int) -> sp.Symbol:
     """The moment of the weight with four components of the normal, whatever their order."""
-    return MOMENT[tuple(sorted(indices))]  # type: ignore[index]
+    return MOMENT[tuple(sorted(indices))]
 
 
 def second_moment(i: int, k: int) -> sp.Expr:
@@ -251,7 +251,7 @@ def plain_moment(i: int, j: int, k: int, m: int) -> sp.Expr:
     pairs = (((i, j), (k, m)), ((i, k), (j, m)), ((i, m), (j, k)))
     isotropic = sum(sp.Rational(int(a == b) * int(c == d), 15) for (a, b), (c, d) in pairs)
     rank2 = sum(int(a == b) * NORMAL_2[c, d] + int(c == d) * NORMAL_2[a, b] for (a, b), (c, d) in pairs)
-    rank4 = NORMAL_4[tuple(sorted((i, j, k, m)))]  # type: ignore[index]
+    rank4 = NORMAL_4[tuple(sorted((i, j, k, m)))]
     return isotropic + sp.Rational(2, 105) * rank2 + sp.Rational(8, 315) * rank4
 
 
@@ -282,12 +282,11 @@ def _rank_two_step() -> Step:
 def _traceless() -> dict[sp.Symbol, sp.Expr]:
     """The last of each three traces by the other two."""
     rank2 = {NORMALS_2[2]: -NORMALS_2[0] - NORMALS_2[1]}
-    tensor = dict(zip(FOURS, NORMALS_4, strict=True))
     rank4: dict[sp.Symbol, sp.Expr] = {}
     for pair in ((1, 1), (1, 2), (2, 2), (1, 3), (2, 3), (3, 3)):
         key = tuple(sorted((*pair, 3, 3)))
-        total = sp.Add(*(tensor[tuple(sorted((*pair, a, a)))] for a in (1, 2)))  # type: ignore[index]
-        rank4[tensor[key]] = sp.expand((-total).xreplace(rank4))  # type: ignore[index]
+        total = sp.Add(*(NORMAL_4[tuple(sorted((*pair, a, a)))] for a in (1, 2)))
+        rank4[NORMAL_4[key]] = sp.expand((-total).xreplace(rank4))
     return {**rank2, **rank4}
 
 

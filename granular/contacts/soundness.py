@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, NoReturn
 
 from granular.errors import ContactImpossible, ContactValuesMissing
@@ -120,7 +121,7 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None
            "Let both point from the first grain to the second: change the sign of one of them.")
     for name, array in (("kn", block.kn), ("R1 R2", None if block.radii is None else block.radii.min(axis=0))):
         if array is not None:
-            refuse(array <= 0, f"{name} that is not positive", lambda k, a=array: f"{a[k]:.4g}", "positive values",  # type: ignore[misc]
+            refuse(array <= 0, f"{name} that is not positive", partial(_shown_at, array), "positive values",
                    "Check which column it is; leave out contacts that carry nothing.")
     if (shear := block.ks) is not None:
         refuse(shear < 0, "ks below zero", lambda k: f"{shear[k]:.4g}", "ks >= 0", "Check which column it is.")
@@ -136,6 +137,10 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None
         refuse(gap > REACH * radii.sum(axis=0), "grains that do not reach each other",
                lambda k: f"l = {length[k]:.7g} m for R1 + R2 = {radii[:, k].sum():.7g} m", "l <= R1 + R2",
                "Add the period to branches across a periodic boundary; leave out pairs that do not touch.")
+
+
+def _shown_at(values: Array, k: int) -> str:
+    return f"{values[k]:.4g}"
 
 
 def _counted(number: int) -> str:

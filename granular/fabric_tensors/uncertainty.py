@@ -193,8 +193,9 @@ def axial_intervals(resamples: Resamples, axis: ArrayLike | None = None, *,
     fabric = resamples.fabric
     one = symmetry_axis(fabric) if axis is None else read_axis(axis)
     each = axes_of(resamples.D2) if axis is None else one
-    return tuple(percentiles(value, values, level=level) for value, values in zip(  # type: ignore[return-value]
-        along(fabric.D2, fabric.D4, one), along(resamples.D2, resamples.D4, each), strict=True))
+    second, fourth = along(fabric.D2, fabric.D4, one)
+    seconds, fourths = along(resamples.D2, resamples.D4, each)
+    return percentiles(second, seconds, level=level), percentiles(fourth, fourths, level=level)
 
 
 def principal_intervals(resamples: Resamples, *, level: float = 0.95) -> Interval:

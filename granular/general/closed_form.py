@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from granular.general.components import compliance_tensor, inverted, symmetric_tensor
 from granular.general.fabric import ZERO, GeneralFabric
 from granular.hypothesis import Hypothesis
 from granular.notation import MANDEL_PAIRS, mandel_factor
+from granular.routes.rational import fractions_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -79,10 +80,10 @@ def mandel_matrix(fabric: GeneralFabric, *, poisson_ratio: float, hypothesis: Hy
 
     from granular.generated.general_constant import stiffness_from_tensor_moments, tensor_moments
 
-    moments = tensor_moments(*_arguments(fabric))  # type: ignore[arg-type]
+    moments = tensor_moments(*_arguments(fabric))
     nu = Fraction(poisson_ratio)
     if hypothesis is Hypothesis.KINEMATIC:
-        values = iter(stiffness_from_tensor_moments(*moments, nu))  # type: ignore[arg-type]
+        values = iter(stiffness_from_tensor_moments(*fractions_of(*moments, nu)))
         matrix = np.empty((6, 6))
         for row in range(6):
             for column in range(row, 6):
@@ -94,7 +95,7 @@ def mandel_matrix(fabric: GeneralFabric, *, poisson_ratio: float, hypothesis: Hy
     return inverted(compliance_tensor(fourth * (1 - 1 / ratio), second / ratio, _inverse_fabric(fabric)))
 
 
-def _arguments(fabric: GeneralFabric) -> list[Fraction]:
+def _arguments(fabric: GeneralFabric) -> Any:
     """Components in the order of the emitted function."""
     from granular.general.components import FOURS
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from granular.errors import FabricOutOfRange, TensorUnusable
 from granular.tensors import SymmetricTensor, Tensor
@@ -168,7 +168,7 @@ def _harmonic(value: ArrayLike | Tensor4) -> Tensor4:
                              allowed="allowed only tensors all of whose traces vanish",
                              remedy="Move the trace into D, or give the tensor of the third kind.")
     first, second, third = (tuple(tuple(tuple(row) for row in block) for block in part) for part in mean.tolist())
-    return first, second, third  # type: ignore[return-value]
+    return cast("Tensor4", (first, second, third))
 
 
 def _require_branches(Dr: Tensor) -> None:
