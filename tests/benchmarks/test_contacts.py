@@ -62,7 +62,10 @@ def test_sum_against_reading_its_arrays() -> None:
         call()
     times = [{name: seconds(call) for name, call in calls.items()} for _ in range(ROUNDS)]
     ratios = sorted(one["compiled"] / one["read"] for one in times)
-    plain = lambda: stiffness_sum(rows[:3], rows[3:6], rows[6], rows[7], compiled=False)  # noqa: E731
+
+    def plain() -> object:
+        return stiffness_sum(rows[:3], rows[3:6], rows[6], rows[7], compiled=False)
+
     tracemalloc.start()
     sums = [calls["compiled"](), plain()]
     extra = tracemalloc.get_traced_memory()[1] / rows.nbytes

@@ -104,7 +104,7 @@ def test_a_hopeless_route_is_timed_once(clock: Clock) -> None:
             clock.now += seconds
         return run
 
-    timed: list[Any] = [choice_times.Candidate(name=name, call=call(name, seconds), result=None)  # type: ignore[arg-type]
+    timed: list[Any] = [choice_times.Candidate(name=name, call=call(name, seconds), result=None)
                         for name, seconds in (("axial", 1e-4), ("certified", 4e-4), ("sphere", 1e-2))]
     best = choice_times.best_times(timed, against="axial", rounds=3)
     assert {name: round(seconds, 12) for name, seconds in best.items()} == {"axial": 1e-4, "certified": 4e-4,
