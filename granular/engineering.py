@@ -73,7 +73,7 @@ def engineering_constants(stiffness: Stiffness) -> EngineeringConstants:
     >>> engineering_constants(sand).nu31, engineering_constants(sand).E3
     (0.25, 2.5)
     """
-    six = _positive(stiffness).components
+    six = require_positive(stiffness).components
     size = size_of(six.values())
     unitless = {name: value / size for name, value in six.items()}
     e1, e3, nu12, nu13, nu31, g23, g12, bulk = closed_forms.engineering_constants(**unitless)
@@ -115,7 +115,7 @@ def young_modulus(stiffness: Stiffness, *, degrees: float) -> float:
     >>> round(young_modulus(sand, degrees=30.0), 12)
     2.5
     """
-    soft = _positive(stiffness).compliance()
+    soft = require_positive(stiffness).compliance()
     return 1 / _along(soft.S1111, 2 * soft.S1133 + 4 * soft.S2323, soft.S3333, degrees)
 
 
@@ -165,7 +165,28 @@ def _along(horizontal: float, between: float, vertical: float, degrees: float) -
     return horizontal * s**2 + between * s * x2 + vertical * x2**2
 
 
-def _positive(stiffness: Stiffness) -> Stiffness:
+def require_positive(stiffness: Stiffness) -> Stiffness:
+    """Refuse a stiffness that is not positive definite.
+
+    Parameters
+    ----------
+    stiffness : Stiffness
+        Of any symmetry [Pa].
+
+    Returns
+    -------
+    Stiffness
+        The same one [Pa].
+
+    Raises
+    ------
+    TensorNotPositive
+        It stores no energy in some strain.
+
+    Notes
+    -----
+    Source: stability of an elastic solid.
+    """
     if not stiffness.is_positive_definite():
         raise TensorNotPositive(f"{stiffness!r}", allowed="needed: positive definite",
                                 remedy="Check the components: some strain would cost no energy.")

@@ -161,7 +161,7 @@ def bulk_density(grain_density: float, void_ratio: float) -> float:
     >>> bulk_density(2650.0, 0.6)
     1656.25
     """
-    _require_density("grain density", grain_density)
+    require_density("grain density", grain_density)
     if not 0 <= void_ratio < math.inf:
         raise DensityOutOfRange(f"void_ratio = {void_ratio!r}", allowed="allowed 0 <= void_ratio < inf",
                                 remedy="Give the volume of voids over the volume of grains.")
@@ -208,7 +208,7 @@ def phase_velocities(stiffness: Stiffness, *, density: float, degrees: float) ->
     PhaseVelocities(P=500.0, SV=250.0, SH=250.0)
     """
     c1111, c3333, c1133, c2323, c1212, size = _wave_components(stiffness)
-    _require_density("density", density)
+    require_density("density", density)
     p, sv, sh = closed_forms.phase_velocities(c1111, c3333, c1133, c2323, c1212, 1.0, *_squares(degrees))
     unit = math.sqrt(size) / math.sqrt(density)
     return PhaseVelocities(p * unit, sv * unit, sh * unit)
@@ -331,7 +331,7 @@ def fastest_shear(stiffness: Stiffness, *, density: float) -> FastestShear:
     (500.0, 'SH', 90.0, True)
     """
     c1111, c3333, c1133, c2323, c1212, size = _wave_components(stiffness)
-    _require_density("density", density)
+    require_density("density", density)
     candidates: list[tuple[float, Polarisation, float]] = [(c1212, "SH", 90.0), (c2323, "SV", 0.0)]
     p, q, r = c1111 - c2323, c3333 - c2323, abs(c1133 + c2323)
     if min(p, q) > 0 and p * q > r * r:
@@ -354,7 +354,25 @@ def _wave_components(stiffness: Stiffness) -> tuple[float, float, float, float, 
             six["C1212"] / size, size)
 
 
-def _require_density(name: str, density: float) -> None:
+def require_density(name: str, density: float) -> None:
+    """Refuse a density that no body has.
+
+    Parameters
+    ----------
+    name : str
+        What it is, for the message.
+    density : float
+        Mass density [kg/m^3].
+
+    Raises
+    ------
+    DensityOutOfRange
+        It is not positive and finite.
+
+    Notes
+    -----
+    Source: a speed is the root of a stiffness over a density.
+    """
     if not 0 < density < math.inf:
         raise DensityOutOfRange(f"{name} = {density!r} kg/m^3", allowed="allowed 0 < density < inf",
                                 remedy=f"Give the {name} in kg/m^3.")

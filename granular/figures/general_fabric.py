@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from granular.general import GeneralFabric, GeneralLoading, GeneralStiffness
+    from granular.general import GeneralFabric, GeneralLoading
     from granular.general.symmetry import Symmetry
 
     Array = NDArray[np.float64]
@@ -62,44 +62,6 @@ def tilted(D33: float, degrees: float) -> GeneralFabric:
     turn = math.radians(degrees)
     one, two, three = axial_tensors(D33, axis=(math.sin(turn), 0.0, math.cos(turn))).D2.tolist()
     return GeneralFabric((tuple(one), tuple(two), tuple(three)))
-
-
-def along(found: GeneralStiffness, directions: Array) -> Array:
-    """Stress over strain in one direction when nothing strains across it, C_ijkl n_i n_j n_k n_l.
-
-    Parameters
-    ----------
-    found : GeneralStiffness
-        All 21 constants [-].
-    directions : (3, q) array
-        Unit vectors [-].
-
-    Returns
-    -------
-    (q,) array
-        In units of (M/V) l_e^2 k_n,ref [-].
-
-    Notes
-    -----
-    Source: Mandel's notation keeps the product of two tensors.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from granular.general import GeneralFabric, general_stiffness
-    >>> found = general_stiffness(GeneralFabric(), poisson_ratio=0.0, hypothesis="kinematic")
-    >>> along(found, np.eye(3)).round(12).tolist()
-    [0.333333333333, 0.333333333333, 0.333333333333]
-    """
-    import numpy as np
-
-    from granular.notation import MANDEL_PAIRS, NORMAL_PAIRS
-
-    n = directions
-    strain = np.stack([n[i - 1] * n[j - 1] * (1.0 if place < NORMAL_PAIRS else np.sqrt(2.0))
-                       for place, (i, j) in enumerate(MANDEL_PAIRS)])
-    values: Array = (strain * (found.mandel() @ strain)).sum(axis=0)
-    return values
 
 
 def by_tilt(D33: float, loading: GeneralLoading, *, poisson_ratio: float) -> tuple[Symmetry, ...]:
@@ -173,13 +135,14 @@ def _sphere(axes: Axes, bar: Axes, fabric: GeneralFabric, loading: GeneralLoadin
     from matplotlib.ticker import MaxNLocator
 
     from granular.general import classify, general_stiffness
+    from granular.general.engineering import along
     from granular.general.loading import contact_stiffness
 
     found = general_stiffness(fabric, poisson_ratio=poisson_ratio, hypothesis="kinematic", loading=loading, rtol=SHOWN)
     beta, azimuth = np.meshgrid(np.linspace(0, np.pi / 2, 61), np.linspace(0, 2 * np.pi, 145))
     n = np.stack([np.sin(beta) * np.cos(azimuth), np.sin(beta) * np.sin(azimuth), np.cos(beta)])
     flat, across, up = n.reshape(3, -1), *_projected(n)
-    shades = axes.contourf(across, up, along(found, flat).reshape(beta.shape), levels=12, cmap=MAP)
+    shades = axes.contourf(across, up, along(found.stiffness(), flat).reshape(beta.shape), levels=12, cmap=MAP)
     bar.figure.colorbar(shades, cax=bar, format="%.3g", ticks=MaxNLocator(5)).outline.set_visible(False)
     normal, shear, _ = contact_stiffness(loading.force_tensor(fabric), loading.friction, flat, poisson_ratio)
     sticks = (shear - NO_SHEAR * normal).reshape(beta.shape)

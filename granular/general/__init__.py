@@ -5,9 +5,16 @@ Nothing heavy is loaded before something is computed.
 
 from __future__ import annotations
 
+from granular.general.engineering import GeneralEngineering, general_engineering
+from granular.general.extremes import Extreme
 from granular.general.fabric import GeneralFabric
 from granular.general.loading import GeneralLoading
 from granular.general.stiffness import GeneralStiffness, general_stiffness
 from granular.general.symmetry import Symmetry, classify
+from granular.general.waves import GeneralWaves, PlaneWaves, ThreeWaves, axis_speeds, general_waves, plane_waves
 
-__all__ = ["GeneralFabric", "GeneralLoading", "GeneralStiffness", "Symmetry", "classify", "general_stiffness"]
+__all__ = [
+    "Extreme", "GeneralEngineering", "GeneralFabric", "GeneralLoading", "GeneralStiffness", "GeneralWaves",
+    "PlaneWaves", "Symmetry", "ThreeWaves", "axis_speeds", "classify", "general_engineering", "general_stiffness",
+    "general_waves", "plane_waves",
+]

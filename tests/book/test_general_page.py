@@ -14,8 +14,9 @@ import pytest
 from page_tools import general_fabric
 from page_tools.markup import Markup
 
-from granular.figures.general_fabric import TILTS, along, by_tilt, tilted, tilted_fabric
+from granular.figures.general_fabric import TILTS, by_tilt, tilted, tilted_fabric
 from granular.general import GeneralLoading, Symmetry, general_stiffness
+from granular.general.engineering import along
 from granular.general.symmetry import axial_part, orthotropic_part
 from granular.mandel import symmetric_rows, turned
 
@@ -123,7 +124,7 @@ def test_words_on_the_tilt(symmetries: tuple[Symmetry, ...]) -> None:
 def test_stiffness_follows_the_fabric(shown: dict[str, Any]) -> None:
     """Breaks when the stiffest direction of the map is not nearer to the fabric's axis than to that of the stress."""
     turn = np.radians(np.arange(91.0))
-    best = int(along(shown["found"], np.stack([np.sin(turn), 0 * turn, np.cos(turn)])).argmax())
+    best = int(along(shown["found"].stiffness(), np.stack([np.sin(turn), 0 * turn, np.cos(turn)])).argmax())
     assert abs(best - general_fabric.TILT) < abs(best)
 
 
@@ -132,7 +133,7 @@ def test_stiffness_along_an_axis_is_a_component() -> None:
     found = general_stiffness(tilted(0.5, 30.0), poisson_ratio=0.3, hypothesis="kinematic")
     n = np.array([2.0, -1.0, 2.0]) / 3
     expected = np.einsum("ijkl,i,j,k,l", found.stiffness().tensor(), n, n, n, n)
-    assert along(found, n[:, None])[0] == pytest.approx(expected, rel=1e-14)
+    assert along(found.stiffness(), n[:, None])[0] == pytest.approx(expected, rel=1e-14)
 
 
 @pytest.mark.parametrize("friction", [None, 0.2126])
