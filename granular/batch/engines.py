@@ -1,0 +1,129 @@
+"""The two ways of running a block: NumPy, and a loop that numba compiles where it is installed."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from functools import lru_cache
+from importlib.util import find_spec
+
+from granular.batch.kernel import BlockFunction, Kernel
+from granular.errors import UnknownChoice
+
+COMPILE_FROM = 1 << 18
+"""Elements from which loading the compiler pays within one call or few; afterwards every size is compiled."""
+
+
+class Engine(StrEnum):
+    """How blocks are run. Both give the same bits."""
+
+    NUMPY = "numpy"
+    COMPILED = "compiled"
+
+
+_compiled: dict[BlockFunction, BlockFunction] = {}
+
+
+def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None) -> Engine:
+    """Decide how a kernel is run.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        What is computed.
+    size : int
+        Number of elements [-].
+    wanted : Engine or str, optional
+        What the caller names; None leaves the choice.
+
+    Returns
+    -------
+    Engine
+        The wanted one; otherwise compiled where numba is installed and the elements are many or the kernel has been
+        compiled before in this process.
+
+    Raises
+    ------
+    UnknownChoice
+        Another engine, or ``compiled`` without numba.
+
+    Notes
+    -----
+    Source: the start of numba takes as long as some ten million elements by NumPy.
+
+    Examples
+    --------
+    >>> from granular.batch.constant import KINEMATIC
+    >>> choose_engine(KINEMATIC, 10, "numpy").value
+    'numpy'
+    """
+    if wanted is None:
+        ready = kernel.loop() in _compiled or (size >= COMPILE_FROM and compiler_installed())
+        return Engine.COMPILED if ready else Engine.NUMPY
+    try:
+        engine = Engine(wanted)
+    except ValueError:
+        known = ", ".join(repr(choice.value) for choice in Engine)
+        raise UnknownChoice(f"engine = {wanted!r}", allowed=f"allowed: {known}",
+                            remedy="Leave engine out, or name one of these.") from None
+    if engine is Engine.COMPILED and not compiler_installed():
+        raise UnknownChoice("engine = 'compiled' without numba", allowed="allowed: 'numpy'",
+                            remedy="Leave engine out, or install numba, as the extra granular[fast] does.")
+    return engine
+
+
+@lru_cache(maxsize=1)
+def compiler_installed() -> bool:
+    """Whether numba can be found.
+
+    Returns
+    -------
+    bool
+        True where it is installed; it is not loaded for that.
+
+    Notes
+    -----
+    Source: the import system.
+    """
+    return find_spec("numba") is not None
+
+
+def block_function(kernel: Kernel, engine: Engine) -> BlockFunction:
+    """The block function of a kernel, ready to be called.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        What is computed.
+    engine : Engine
+        How.
+
+    Returns
+    -------
+    callable
+        As the package describes it.
+
+    Notes
+    -----
+    Source: the kernel.
+    """
+    if engine is Engine.NUMPY:
+        return kernel.array()
+    loop = kernel.loop()
+    if loop not in _compiled:
+        _compiled[loop] = _compile(loop, len(kernel.inputs) + len(kernel.tables), kernel)
+    return _compiled[loop]
+
+
+def _compile(loop: BlockFunction, count: int, kernel: Kernel) -> BlockFunction:
+    """Compile for read-only inputs, so that no kind of argument makes numba compile once more."""
+    import numba
+    from numba import types
+
+    read = [types.Array(types.float64, 1, "C", readonly=True)] * len(kernel.inputs)
+    tables = [types.Array(types.float64, table.ndim, "C", readonly=True) for table in kernel.tables]
+    signature = types.int64(*read, *tables, types.Array(types.float64, 1, "C"))
+    try:
+        made: BlockFunction = numba.njit(signature, cache=True, nogil=True, error_model="numpy")(loop)
+    except RuntimeError:  # there is no place to keep what was compiled
+        made = numba.njit(signature, nogil=True, error_model="numpy")(loop)
+    return made

@@ -1,0 +1,143 @@
+"""Run a kernel over all elements of broadcast arguments: blocks, threads, and what was left unserved."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from granular.batch.blocks import block_reader
+from granular.batch.engines import Engine, block_function, choose_engine
+from granular.batch.kernel import Kernel
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+    Index = NDArray[np.intp]
+
+BLOCK = {Engine.NUMPY: 4096, Engine.COMPILED: 1 << 16}
+"""Elements at a time: as many as stay in cache with what is computed from them, or with their arguments alone."""
+
+SHARE = 1 << 18
+"""Elements that are worth a thread of their own."""
+
+
+def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *, engine: Engine | str | None = None,
+                   threads: int | None = None) -> Index:
+    """Fill an array with the components of every element that a kernel serves.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        What is computed.
+    inputs : sequence of (...) array
+        ``kernel.inputs`` in order, real numbers of any type, broadcastable to the shape of ``out`` without its last
+        axis [units of the kernel].
+    out : (..., 6) array
+        Contiguous float64, not overlapping the inputs; filled, with NaN in rows that are not served [-].
+    engine : Engine or str, optional
+        See :func:`granular.batch.engines.choose_engine`.
+    threads : int, optional
+        How many threads share the work, >= 1 [-]; by default as many as there are processors to use, but none that
+        would have less than 2^18 elements.
+
+    Returns
+    -------
+    (k,) array of int
+        Elements that were not served, rising, counted in C order [-].
+
+    Raises
+    ------
+    UnknownChoice
+        The engine.
+
+    Notes
+    -----
+    Accuracy: ``kernel.relative_error``; the same bits whatever the engine and the number of threads. Source: the
+    kernel.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from granular.batch.constant import KINEMATIC
+    >>> out = np.empty((3, 6))
+    >>> evaluate_batch(KINEMATIC, [np.array([0.0, 0.3, 3.0]), np.zeros(1), np.full(1, 0.21)], out).tolist()
+    [2]
+    """
+    import numpy as np
+
+    shape = out.shape[:-1]
+    flat, width = out.reshape(-1), out.shape[-1]
+    size = flat.size // width
+    chosen = choose_engine(kernel, size, engine)
+    function, block = block_function(kernel, chosen), min(BLOCK[chosen], max(1, size))
+
+    def work(first: int, last: int) -> list[Index]:
+        readers = [block_reader(argument, shape, block) for argument in inputs]
+        unserved = []
+        for start in range(first, last, block):
+            stop = min(start + block, last)
+            here = flat[width * start:width * stop]
+            if function(*(read(start, stop) for read in readers), *kernel.tables, here):
+                unserved.append(start + np.flatnonzero(np.isnan(here[::width])))
+        return unserved
+
+    bounds = shares(size, block, threads)
+    if len(bounds) == 1:
+        parts = work(*bounds[0])
+    else:
+        from concurrent.futures import ThreadPoolExecutor
+
+        with ThreadPoolExecutor(len(bounds)) as pool:
+            parts = [part for found in pool.map(lambda pair: work(*pair), bounds) for part in found]
+    return np.concatenate(parts) if parts else np.empty(0, dtype=np.intp)
+
+
+def shares(size: int, block: int, threads: int | None = None) -> list[tuple[int, int]]:
+    """Cut elements into one range a thread, each but the last a whole number of blocks.
+
+    Parameters
+    ----------
+    size, block : int
+        Number of elements, and of those evaluated at a time [-].
+    threads : int, optional
+        How many ranges at the most; by default one for each processor that this process may use, as long as each has
+        2^18 elements [-].
+
+    Returns
+    -------
+    list of tuple of 2 int
+        Start and stop of each range.
+
+    Notes
+    -----
+    Source: the system's list of processors.
+
+    Examples
+    --------
+    >>> shares(10, 4, 2)
+    [(0, 8), (8, 10)]
+    """
+    if threads is None:
+        threads = max(1, min(processors(), size // SHARE))
+    blocks = -(-size // block)
+    step = max(1, -(-blocks // threads)) * block
+    return [(start, min(start + step, size)) for start in range(0, max(size, 1), step)]
+
+
+def processors() -> int:
+    """How many processors this process may use.
+
+    Returns
+    -------
+    int
+        At least 1 [-].
+
+    Notes
+    -----
+    Source: the operating system.
+    """
+    affinity = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity else os.cpu_count() or 1

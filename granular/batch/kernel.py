@@ -1,0 +1,42 @@
+"""What a batch kernel is: a block function in two forms, what it reads, and how accurate it is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeAlias
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+BlockFunction: TypeAlias = Callable[..., int]
+"""As the package describes: (n,) inputs, tables, (6 n,) out; returns the number of elements left as NaN."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Kernel:
+    """One question that is answered for blocks of elements.
+
+    Attributes
+    ----------
+    name : str
+        What it computes, for messages and tables.
+    inputs : tuple of str
+        Arguments of ``axial_stiffness`` that a block reads, in order.
+    relative_error : float
+        Bound for every component of every element that is served [-].
+    array : callable
+        Loads the block function that works on whole arrays.
+    loop : callable
+        Loads the block function as a loop that numba can compile; it runs uncompiled too.
+    tables : tuple of array
+        Contiguous float64 arrays that every call takes after the inputs [-].
+    """
+
+    name: str
+    inputs: tuple[str, ...]
+    relative_error: float
+    array: Callable[[], BlockFunction]
+    loop: Callable[[], BlockFunction]
+    tables: tuple[NDArray[np.float64], ...] = ()
