@@ -11,6 +11,8 @@ from derivations.fabric_kinds import fabric_kinds
 from derivations.forces import contact_forces
 from derivations.general_constant import general_constant
 from derivations.gradation import gradation
+from derivations.gradients import gradients
+from derivations.gradients_first_order import first_order_fabric
 from derivations.kinematic import kinematic_constant, kinematic_three
 from derivations.kinetic import kinetic
 from derivations.kinetic_components import kinetic_components
@@ -18,6 +20,7 @@ from derivations.kinetic_limits import kinetic_limits
 from derivations.mohr import mohr_circle
 from derivations.partial_slip import partial_slip
 from derivations.record import Derivation
+from derivations.slip_table import slip_table
 from derivations.spheroid import spheroid
 from derivations.static import static_constant, static_three
 from derivations.waves import waves
@@ -39,6 +42,9 @@ CATALOGUE: tuple[Callable[[], Derivation], ...] = (
     kinetic,
     kinetic_limits,
     partial_slip,
+    slip_table,
+    gradients,
+    first_order_fabric,
     isotropic,
     engineering,
     waves,
