@@ -146,6 +146,9 @@ def contacts(
         "--spheres", help="Take missing normals along the branches; right for spheres only.")] = False,
     drop_bad: Annotated[bool, typer.Option(
         "--drop-bad", help="Leave out contacts with a value that is missing or not finite.")] = False,
+    cell: Annotated[tuple[float, float, float] | None, typer.Option(
+        "--cell", metavar="LX LY LZ", help="Edges of a rectangular periodic cell in m, 0 along an axis without period: "
+        "branches become the shortest that it allows. For lists that have centres inside the cell.")] = None,
     shear_modulus: Annotated[str | None, typer.Option(
         "--shear-modulus", metavar="GS", help='Of the grains [Pa], or like "29 GPa".')] = None,
     poisson_ratio: Annotated[float | None, typer.Option(
@@ -171,11 +174,14 @@ def contacts(
         if file is not None or figure is not None:
             raise BadOption("a contact list or a figure is named with --compare", allowed="allowed one or the other",
                             remedy="Run one after the other.")
-        text, agree = compare_to(compare, out, as_json=json)
-        _print(text)
+        told, agree = compare_to(compare, out, as_json=json)
+        if isinstance(told, str):
+            _print(told)
+        else:
+            _print_blocks(told)
         raise typer.Exit(DONE if agree else MISSED)
     summary = summary_of(file, volume=volume, grains=grains, columns=column or (), step=step, spheres_only=spheres,
-                         drop_bad=drop_bad, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio,
+                         drop_bad=drop_bad, cell=cell, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio,
                          friction=friction)
     if figure is not None:
         from granular.figures.contact_list import save_contact_list

@@ -61,6 +61,7 @@ def summary_as_json(summary: ContactSummary) -> dict[str, Any]:
         "stress": None if summary.stress is None else summary.stress.tolist(),
         "stress_is_whole": summary.stress_is_whole, "sliding": summary.sliding,
         "stiffness_source": summary.stiffness_source, "mean_kn": summary.mean_kn, "mean_ks": summary.mean_ks,
+        "stiffer_where_longer": summary.stiffer_where_longer,
         "sum": _with_reason(summary.kinematic, summary.no_kinematic),
         "raw": None if summary.raw is None else summary.raw.tolist(),
         "static_sum": _with_reason(summary.static, summary.no_static), "prediction": _prediction(summary),
@@ -107,7 +108,10 @@ def _fabric(summary: ContactSummary) -> dict[str, Any]:
 
 def _lengths(summary: ContactSummary) -> dict[str, Any]:
     lengths = summary.lengths
-    return {"mean": summary.length_moments["l"], "mean_square": summary.length_moments["l2"], "least": lengths.least,
+    stragglers = summary.stragglers
+    return {"far_longer": None if stragglers is None else dict(zip(("branches", "from", "others_up_to"), stragglers,
+                                                                   strict=True)),
+            "mean": summary.length_moments["l"], "mean_square": summary.length_moments["l2"], "least": lengths.least,
             "greatest": lengths.greatest, "quantiles": {f"{share:g}": lengths.quantile(share) for share in SHARES}}
 
 

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from granular.contacts.estimate import estimated_forces
+from granular.contacts.layout import columns, facts, title
 from granular.contacts.moments import BRANCHES, NORMALS
 from granular.contacts.prediction import EQUAL_CONTACTS, ESTIMATED_FORCES, Predicted, fitted_fabric, predictions
 from granular.errors import FabricOutOfRange
@@ -21,9 +22,11 @@ if TYPE_CHECKING:
 SHOWN = ("C1111", "C2222", "C3333", "C1122", "C1133", "C2233", "C2323", "C1313", "C1212")
 """Components that an assembly with three planes of symmetry has; the others are small, and in the JSON output."""
 
+TOLD = 2e-3
+"""Share of eq. (1) from which the stiffness of long branches is worth a line [-]."""
+
 _SHORT = {EQUAL_CONTACTS: "mean kn", ESTIMATED_FORCES: "forces"}
 _WIDE = 2
-_INDENT = (0, 0, 0, 2)
 
 
 def summary_as_text(summary: ContactSummary) -> list[RenderableType]:
@@ -45,16 +48,16 @@ def summary_as_text(summary: ContactSummary) -> list[RenderableType]:
     """
     every = predictions(summary)
     blocks: list[RenderableType] = [
-        _title("Contacts"), _facts(_counts(summary)), "", _title("Fabric"), _facts(_fabric(summary)), "",
-        _title("By the angle of the normal from axis 3"), _angles(summary), ""]
-    blocks += [_title("Stress and forces"), _facts(_forces(summary)), ""]
-    blocks.append(_title("Stiffness [MPa]: sums over the list, and the continuum model of the fitted fabric"))
+        title("Contacts"), facts(_counts(summary)), "", title("Fabric"), facts(_fabric(summary)), "",
+        title("By the angle of the normal from axis 3"), _angles(summary), ""]
+    blocks += [title("Stress and forces"), facts(_forces(summary)), ""]
+    blocks.append(title("Stiffness [MPa]: sums over the list, and the model of the fitted fabric"))
     for hypothesis, name, truth in ((Hypothesis.KINEMATIC, "eq. (1)", summary.kinematic),
                                     (Hypothesis.STATIC, "eq. (5)", summary.static)):
         usable = [one for one in every if one.hypothesis is hypothesis and one.stiffness is not None]
         if truth is not None or usable:
             blocks += [_stiffness(hypothesis, name, truth, usable), ""]
-    return [*blocks, _facts(_how(summary, every))]
+    return [*blocks, facts(_how(summary, every))]
 
 
 def _counts(summary: ContactSummary) -> dict[str, str]:
@@ -71,57 +74,72 @@ def _counts(summary: ContactSummary) -> dict[str, str]:
     }
 
 
-def _fabric(summary: ContactSummary) -> dict[str, str]:
-    def tensor(of: Any, name: str) -> str:
-        axes = "  ".join(f"N{k}{k} {of[k - 1, k - 1]:.4f}" for k in (1, 2, 3))
-        return f"D33 {7.5 * (float(of[2, 2]) - 1 / 3):+.4f} +/- {summary.doubt_of(name):.4f}   {axes}"
+def _fabric(summary: ContactSummary) -> dict[str, str | list[str]]:
+    def tensor(of: Any, name: str) -> list[str]:
+        return [f"D33 {7.5 * (float(of[2, 2]) - 1 / 3):+.4f} +/- {summary.doubt_of(name):.4f}",
+                *(f"N{k}{k} {of[k - 1, k - 1]:.4f}" for k in (1, 2, 3))]
 
     lengths, moments = summary.lengths, summary.length_moments
-    told = {"normals": tensor(summary.normals, NORMALS),
+    told: dict[str, str | list[str]] = {
+            "normals": tensor(summary.normals, NORMALS),
             "seen in them": "\n".join(test.words.replace("the given axis", "axis 3") for test in summary.tests),
             "branches": tensor(summary.branches, BRANCHES)}
     try:
-        told["lengths"] = f"Dr33 {fitted_fabric(summary).Dr33:+.5f}"
+        told["lengths"] = f"Dr33 {fitted_fabric(summary).Dr33:+.5f} by direction"
     except FabricOutOfRange as refusal:
         told["model"] = str(refusal)
-    quantiles = "  ".join(f"{round(100 * share)} % {lengths.quantile(share):.5g}" for share in (0.1, 0.5, 0.9))
-    return told | {"": f"mean {moments['l']:.6g} m   least {lengths.least:.5g}  {quantiles}  "
-                       f"greatest {lengths.greatest:.5g}"}
+    quantiles = [f"{round(100 * share)} % {lengths.quantile(share):.5g}" for share in (0.1, 0.5, 0.9)]
+    told["lengths [m]"] = [f"mean {moments['l']:.6g}", f"least {lengths.least:.5g}", *quantiles,
+                           f"greatest {lengths.greatest:.5g}"]
+    if summary.stiffer_where_longer is not None and abs(summary.stiffer_where_longer - 1) > TOLD:
+        told["sizes"] = (f"contacts of long branches are stiffer: <l^2 kn> is {summary.stiffer_where_longer:.4f} times "
+                         "<l^2> <kn>. The model has one kn for all lengths and misses that factor of eq. (1)")
+    if summary.stragglers is not None:
+        many, above, below = summary.stragglers
+        told["far longer"] = (
+            f"{many} of the branches, from {above:.5g} m; the others end at {below:.5g} m. In a periodic cell they "
+            "lack its period, and all numbers here are wrong: add it with --cell LX LY LZ")
+    return told
 
 
 def _angles(summary: ContactSummary) -> RenderableType:
     """Classes of ten degrees, with the forces that the stress alone would give."""
     wide: ByAngle = summary.by_angle.merged(_WIDE)
-    columns: list[tuple[str, str, Any, str]] = [
+    shown: list[tuple[str, str, Any, str]] = [
         ("", "M", wide.contacts, ".0f"), ("", "4 pi E", wide.relative_density(), ".3f"),
         ("l/", "mean", _over(wide.mean("length"), summary.length_moments["l"]), ".3f")]
+    groups = [len(shown)]
     estimate = estimated_forces(summary, wide)
     if estimate is not None:
-        columns += [("fn", "[N]", wide.mean("normal_force"), ".3g"), ("eq.", "(23)", estimate[0], ".3g")]
+        shown += [("fn", "[N]", wide.mean("normal_force"), ".3g"), ("eq.", "(23)", estimate[0], ".3g")]
+        groups.append(2)
         if summary.stress_is_whole:
-            columns += [("|fs|", "[N]", wide.mean("shear_force"), ".3g"),
-                        ("fs up", "[N]", wide.mean("meridian_force"), ".3f"), ("eq.", "(23)", estimate[1], ".3f")]
+            shown += [("|fs|", "[N]", wide.mean("shear_force"), ".3g"),
+                      ("fs up", "[N]", wide.mean("meridian_force"), ".3g"), ("eq.", "(23)", estimate[1], ".3g")]
+            groups.append(3)
     if (stiff := wide.mean("kn")) is not None:
-        columns += [("kn", "[kN/m]", _over(stiff, 1e3), ".4g")]
+        shown += [("kn", "[kN/m]", _over(stiff, 1e3), ".4g")]
+        groups.append(1)
     edges = wide.degrees
     rows = [[f"{edges[k]:.0f}-{edges[k + 1]:.0f}",
-             *("-" if math.isnan(values[k]) else format(values[k], form) for _, _, values, form in columns)]
+             *("-" if math.isnan(values[k]) else format(values[k], form) for _, _, values, form in shown)]
             for k in range(wide.contacts.size)]
-    heads = [["", *(top for top, _, _, _ in columns)], ["degrees", *(below for _, below, _, _ in columns)]]
-    return _table(heads + rows)
+    heads = [["", *(top for top, _, _, _ in shown)], ["degrees", *(below for _, below, _, _ in shown)]]
+    return columns(heads + rows, groups)
 
 
 def _over(values: Any, unit: float) -> Any:
     return values / unit
 
 
-def _forces(summary: ContactSummary) -> dict[str, str]:
+def _forces(summary: ContactSummary) -> dict[str, str | list[str]]:
     if summary.stress is None:
         return {"stress": "the list has no contact forces"}
     stress = summary.stress / 1e3
-    told = {"stress": "  ".join(f"s{k}{k} {stress[k - 1, k - 1]:.5g}" for k in (1, 2, 3)) + "  "
-            + "  ".join(f"s{i}{j} {stress[i - 1, j - 1]:.2g}" for i, j in ((2, 3), (1, 3), (1, 2))) + " kPa"
-            + ("" if summary.stress_is_whole else " (normal forces only; the list has no shear forces)")}
+    told: dict[str, str | list[str]] = {
+        "stress [kPa]": [*(f"s{k}{k} {stress[k - 1, k - 1]:.5g}" for k in (1, 2, 3)),
+                         *(f"s{i}{j} {stress[i - 1, j - 1]:.2g}" for i, j in ((2, 3), (1, 3), (1, 2)))],
+        "of": "" if summary.stress_is_whole else "normal forces only; the list has no shear forces"}
     mean, across = float(stress.trace()) / 3, float(stress[0, 0] + stress[1, 1]) / 2
     ratio = f", s33 over the mean of s11 and s22: {float(stress[2, 2]) / across:.4f}" if across > 0 else ""
     told["mean stress"] = f"{mean:.5g} kPa{ratio}"
@@ -132,12 +150,12 @@ def _forces(summary: ContactSummary) -> dict[str, str]:
 
 def _stiffness(hypothesis: Hypothesis, name: str, truth: Stiffness | None, usable: list[Predicted]) -> RenderableType:
     """One hypothesis: the sum over the list, then what the model says."""
-    columns = ([] if truth is None else [("", name, truth, "")]) + [
+    beside = ([] if truth is None else [("", name, truth, "")]) + [
         (one.directions, _SHORT[one.source], one.stiffness, "" if one.distance is None else f"{one.distance:.2%}")
         for one in usable if one.stiffness is not None]
-    return _table([[str(hypothesis), *(top for top, _, _, _ in columns)], ["", *(below for _, below, _, _ in columns)],
-                   *([part, *(f"{stiffness.component(part) / 1e6:.5g}" for _, _, stiffness, _ in columns)]
-                     for part in SHOWN), ["distance", *(away for _, _, _, away in columns)]])
+    return columns([[str(hypothesis), *(top for top, _, _, _ in beside)], ["", *(below for _, below, _, _ in beside)],
+                    *([part, *(f"{stiffness.component(part) / 1e6:.5g}" for _, _, stiffness, _ in beside)]
+                      for part in SHOWN), ["distance", *(away for _, _, _, away in beside)]])
 
 
 def _how(summary: ContactSummary, every: list[Predicted]) -> dict[str, str]:
@@ -148,35 +166,3 @@ def _how(summary: ContactSummary, every: list[Predicted]) -> dict[str, str]:
             "distance": "norm of the difference of all 81 components over that of the sum"}
     refused = {one.refused for one in every if one.stiffness is None} - {summary.no_kinematic}
     return told | ({"no prediction": "\n".join(sorted(refused))} if refused else {})
-
-
-def _title(text: str) -> RenderableType:
-    from rich.text import Text
-
-    return Text(text, style="bold")
-
-
-def _facts(facts: dict[str, str]) -> RenderableType:
-    from rich.padding import Padding
-    from rich.table import Table
-    from rich.text import Text
-
-    grid = Table.grid(padding=(0, 2, 0, 0))
-    for name, text in facts.items():
-        if text:
-            grid.add_row(Text(name), Text(text))
-    return Padding(grid, _INDENT)
-
-
-def _table(rows: list[list[str]]) -> RenderableType:
-    """Columns of text, the first to the left and all others to the right."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return _lines("\n".join("  ".join([row[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(
-        row[1:], widths[1:], strict=True))]).rstrip() for row in rows))
-
-
-def _lines(text: str) -> RenderableType:
-    from rich.padding import Padding
-    from rich.text import Text
-
-    return Padding(Text(text), _INDENT)

@@ -7,12 +7,12 @@ contact normal (``n1 n2 n3``). Everything else adds to what can be told.
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.contacts.block import ContactBlock
-from granular.errors import BadOption, ContactColumnsMissing
+from granular.errors import BadOption, ContactColumnsMissing, ContactImpossible
 from granular.units import shown
 
 if TYPE_CHECKING:
@@ -62,18 +62,25 @@ class Columns:
         """Names in the file, in the order of the rows that ``block`` takes."""
         return tuple(self.names.values())
 
-    def block(self, rows: Array) -> ContactBlock:
+    def block(self, rows: Array, whole_branch: Callable[[Array], Array] | None = None) -> ContactBlock:
         """Make a block of the columns of a file.
 
         Parameters
         ----------
         rows : (k, n) array
             The columns ``wanted``, one a row [SI].
+        whole_branch : callable, optional
+            What adds the period to branches that lack it.
 
         Returns
         -------
         ContactBlock
             Branches, normals, and what else there is.
+
+        Raises
+        ------
+        ContactImpossible
+            A body whose number is not whole.
         """
         import numpy as np
 
@@ -87,12 +94,22 @@ class Columns:
 
         def whole(name: str) -> NDArray[np.int64] | None:
             found = group(name)
-            return None if found is None else found.astype(np.int64)
+            if found is None:
+                return None
+            numbers = found.astype(np.int64)
+            if (broken := (numbers != found).any(axis=0)).any():
+                value = found[:, np.argmax(broken)]
+                raise ContactImpossible(
+                    f"{' '.join(self.names[member] for member in GROUPS[name])} = {value[0]:.10g} {value[1]:.10g}",
+                    allowed="allowed whole numbers", remedy="Check which columns number the bodies.")
+            return numbers
 
         branch, centres = group("branch"), group("centres")
         if branch is None:
             assert centres is not None  # columns_of has seen to that
             branch = centres[3:] - centres[:3]
+        if whole_branch is not None:
+            branch = whole_branch(branch)
         normal = group("normal")
         if normal is None:
             length = np.sqrt(np.sum(branch**2, axis=0))

@@ -14,6 +14,8 @@ from granular.errors import BadOption, GranularError
 from granular.units import PRESSURE, in_si, shown
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
+
     from granular.contacts.summary import ContactSummary
 
 PATIENCE = 2.0
@@ -21,8 +23,8 @@ PATIENCE = 2.0
 
 
 def summary_of(file: str | None, *, volume: float | None, grains: int | None, columns: Sequence[str],
-               step: int | None, spheres_only: bool, drop_bad: bool, shear_modulus: str | None,
-               poisson_ratio: float | None, friction: float | None) -> ContactSummary:
+               step: int | None, spheres_only: bool, drop_bad: bool, cell: Sequence[float] | None,
+               shear_modulus: str | None, poisson_ratio: float | None, friction: float | None) -> ContactSummary:
     """Read a list as the command line asks for it.
 
     Parameters
@@ -39,6 +41,8 @@ def summary_of(file: str | None, *, volume: float | None, grains: int | None, co
         Time step of a dump [-].
     spheres_only, drop_bad : bool
         As for ``granular.contacts.summary.summarise``.
+    cell : sequence of 3 float, optional
+        Edges of a periodic cell [m].
     shear_modulus : str or None
         Number in Pa, or text with a unit.
     poisson_ratio, friction : float or None
@@ -72,12 +76,13 @@ def summary_of(file: str | None, *, volume: float | None, grains: int | None, co
     progress = _Progress()
     try:
         return summarise(file, volume=volume, grains=grains, columns=_mapping(columns), step=step,
-                         spheres_only=spheres_only, drop_bad=drop_bad, material=material, progress=progress)
+                         spheres_only=spheres_only, drop_bad=drop_bad, cell=cell, material=material,
+                         progress=progress)
     finally:
         progress.end()
 
 
-def compare_to(folder: Path, out: Path | None, *, as_json: bool = False) -> tuple[str, bool]:
+def compare_to(folder: Path, out: Path | None, *, as_json: bool = False) -> tuple[str | list[RenderableType], bool]:
     """Compare every packing of a folder, and write the table as data where that is asked for.
 
     Parameters
@@ -91,8 +96,8 @@ def compare_to(folder: Path, out: Path | None, *, as_json: bool = False) -> tupl
 
     Returns
     -------
-    str
-        The table, or the object.
+    str or list of renderable
+        The object as text, or blocks for a console.
     bool
         Whether every sum agrees with the affine probe.
 

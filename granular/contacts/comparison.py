@@ -1,12 +1,14 @@
 """The model against packings whose stiffness was measured: sums over contacts, the continuum, and probes.
 
-A folder holds ``NAME_contacts.csv.gz`` and ``NAME_meta.json`` for every packing: the list, and beside it what a probe
-of the same packing gave with all grains following the strain (affine) and with all grains free (relaxed).
+A folder holds ``NAME_contacts.csv.gz`` (or the list in another format) and ``NAME_meta.json`` for every packing: the
+list, and beside it what a probe of the same packing gave with all grains following the strain (affine) and with all
+grains free (relaxed).
 """
 
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -27,7 +29,8 @@ if TYPE_CHECKING:
 AGREEMENT = 5e-3
 """How far eq. (1) may be from the affine probe in any component, over C3333 [-]."""
 
-SUFFIXES = ("_contacts.csv.gz", "_meta.json")
+LIST, KNOWN = "_contacts.", "_meta.json"
+"""What stands after the name of a packing: a list in any format, and what is known of it."""
 
 Components = dict[str, float | None]
 """The six components about axis 3 [Pa]; None where they were not probed."""
@@ -37,11 +40,14 @@ MEASURED = {"affine": ("affine_probe", "voigt_elastic"), "rotations only": ("net
 """What was measured: all grains affine; centres affine and spins free; all free and no contact sliding, which is the
 elastic stiffness; all free with contacts that may slide while they are probed."""
 
+WRITTEN_BY = "granular contacts --compare FOLDER --out FILE, with the lists and probes of FOLDER"
+"""How a record came about; it says so itself."""
+
 KINEMATIC, STATIC = "eq. (1)", "eq. (5)"
 FROM_LIST = {Hypothesis.KINEMATIC: "model, mean kn, kinematic", Hypothesis.STATIC: "model, mean kn, static"}
 FROM_SCENE = {Hypothesis.KINEMATIC: "model alone, kinematic", Hypothesis.STATIC: "model alone, static"}
 """Names of what is computed: sums over the list; the model with the mean kn and ks of the list; the model from D33,
-Dr33, void ratio, coordination number and stress alone."""
+Dr33, void ratio, coordination number, branch length over grain size, and stress alone."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,6 +58,8 @@ class ComparedPacking:
     ----------
     name : str
         Of its files.
+    made_by, preparation : str
+        The program that made it, and how it was prepared, as what is known of it says; empty where it does not.
     contacts, grains : int
         M and N [-].
     void_ratio, coordination_number : float
@@ -66,6 +74,10 @@ class ComparedPacking:
         The same of the directions of branches [-].
     collinear : bool
         Whether branches follow the normals.
+    length_ratio : float
+        l_e over twice the radius of the mean volume of a grain [-]: 1 for equal spheres.
+    stiffer_where_longer : float
+        <l^2 kn> over <l^2> <kn> [-], which the model does not know.
     stiffness : dict
         What it is -> six components about axis 3 [Pa], horizontal ones averaged.
     affine_miss : float
@@ -77,6 +89,8 @@ class ComparedPacking:
     """
 
     name: str
+    made_by: str
+    preparation: str
     contacts: int
     grains: int
     void_ratio: float
@@ -88,6 +102,8 @@ class ComparedPacking:
     D33_error: float
     D33_of_branches: float
     collinear: bool
+    length_ratio: float
+    stiffer_where_longer: float
     stiffness: dict[str, Components]
     affine_miss: float
     bound: Components
@@ -129,11 +145,11 @@ def compare_folder(folder: Path) -> list[ComparedPacking]:
     >>> [(packing.name, packing.agrees) for packing in compare_folder(example_folder())]
     [('C_A1_SR15', True)]
     """
-    lists = sorted(folder.glob(f"*{SUFFIXES[0]}")) if folder.is_dir() else []
+    lists = sorted(folder.glob(f"*{LIST}*")) if folder.is_dir() else []
     if not lists:
         raise FileUnreadable(f"{folder.name or str(folder)} has no packing", allowed=f"needed: a folder with "
-                             f"NAME{SUFFIXES[0]} and NAME{SUFFIXES[1]}", remedy="Check the path.")
-    return [compare_packing(path, path.with_name(path.name.removesuffix(SUFFIXES[0]) + SUFFIXES[1])) for path in lists]
+                             f"NAME{LIST}csv.gz and NAME{KNOWN}", remedy="Check the path.")
+    return [compare_packing(path, path.with_name(_name(path) + KNOWN)) for path in lists]
 
 
 def compare_packing(contacts: Path, meta: Path) -> ComparedPacking:
@@ -166,7 +182,7 @@ def compare_packing(contacts: Path, meta: Path) -> ComparedPacking:
     summary = summarise(contacts, volume=known["V"], grains=known["N_grains"],
                         material=Material(shear_modulus=known["Gs"], poisson_ratio=known["nu"], friction=known["mu"]))
     kinematic, stress = summary.kinematic, summary.stress
-    if kinematic is None or stress is None:
+    if kinematic is None or stress is None or summary.stiffer_where_longer is None:
         raise MissingKey(f"{contacts.name} has no contact forces or stiffnesses", allowed="needed: fn, kn and ks",
                          remedy="Export them too.")
     across, fabric = float(stress[0, 0] + stress[1, 1]) / 2, fitted_fabric(summary)
@@ -176,15 +192,18 @@ def compare_packing(contacts: Path, meta: Path) -> ComparedPacking:
         stiffness[STATIC] = _axial(summary.static)
     stiffness |= {_labelled(one.directions, FROM_LIST[one.hypothesis], summary): _axial(one.stiffness)
                   for one in predictions(summary) if one.stiffness is not None and one.source == EQUAL_CONTACTS}
-    stiffness |= {name: _alone(summary, known, hypothesis, mean, ratio) for hypothesis, name in FROM_SCENE.items()}
+    sizes = fabric.length / (2 * math.cbrt(3 * known["V"] / (4 * math.pi * known["N_grains"] * (1 + known["e"]))))
+    stiffness |= {name: _alone(summary, known, hypothesis, mean, ratio, sizes)
+                  for hypothesis, name in FROM_SCENE.items()}
     measured = {name: _block(known, *keys) for name, keys in MEASURED.items()}
     stiffness |= {name: _averaged(matrix) for name, matrix in measured.items() if matrix is not None}
     return ComparedPacking(
-        name=contacts.name.removesuffix(SUFFIXES[0]), contacts=summary.contacts, grains=known["N_grains"],
-        void_ratio=known["e"], coordination_number=2 * summary.contacts / known["N_grains"], mean_stress=mean,
+        name=_name(contacts), made_by=_said(known, "code"), preparation=_said(known.get("extra"), "prep"),
+        contacts=summary.contacts, grains=known["N_grains"], void_ratio=known["e"], coordination_number=2 * summary.contacts / known["N_grains"], mean_stress=mean,
         stress_ratio=ratio, D33=fabric.D33, Dr33=fabric.Dr33, D33_error=summary.doubt_of(NORMALS),
         D33_of_branches=7.5 * (float(summary.branches[2, 2]) - 1 / 3), collinear=summary.is_collinear,
-        stiffness=stiffness, affine_miss=_miss(kinematic, measured["affine"]),
+        length_ratio=sizes, stiffer_where_longer=summary.stiffer_where_longer, stiffness=stiffness,
+        affine_miss=_miss(kinematic, measured["affine"]),
         bound=_pairwise(stiffness, lambda one, _, relaxed: one / relaxed, needs_static=False),
         recovered=_pairwise(stiffness, lambda one, static, relaxed: (one - static) / (one - relaxed),
                             needs_static=True))
@@ -225,14 +244,14 @@ def as_data(packings: Sequence[ComparedPacking]) -> str:
     Returns
     -------
     str
-        Its text, ``agreement`` [-] and ``packings``, with the end of the line.
+        Its text, ``written_by``, ``agreement`` [-] and ``packings``, with the end of the line.
 
     Notes
     -----
     Source: the records, as they are.
     """
-    content = {"agreement": AGREEMENT, "packings": [asdict(packing) | {"agrees": packing.agrees}
-                                                    for packing in packings]}
+    content = {"written_by": WRITTEN_BY, "agreement": AGREEMENT,
+               "packings": [asdict(packing) | {"agrees": packing.agrees} for packing in packings]}
     return json.dumps(content, indent=1, allow_nan=False) + "\n"
 
 
@@ -270,6 +289,10 @@ def read_comparison(path: Path) -> list[ComparedPacking]:
             for packing in content["packings"]]
 
 
+def _name(contacts: Path) -> str:
+    return contacts.name.partition(LIST)[0]
+
+
 def _known(meta: Path) -> dict[str, Any]:
     name = meta.name
     try:
@@ -287,6 +310,11 @@ def _known(meta: Path) -> dict[str, Any]:
                          remedy="Add what is missing.")
     found: dict[str, Any] = known
     return found
+
+
+def _said(known: Any, key: str) -> str:
+    """What is known in words, where it is."""
+    return str(known.get(key, "")) if isinstance(known, dict) else ""
 
 
 def _block(known: dict[str, Any], part: str, key: str) -> list[list[float]] | None:
@@ -311,9 +339,12 @@ def _labelled(directions: str, name: str, summary: ContactSummary) -> str:
     return name if summary.is_collinear else f"{name}, fabric of {directions}"
 
 
-def _alone(summary: ContactSummary, known: dict[str, Any], hypothesis: Hypothesis, mean: float,
-           ratio: float) -> Components:
-    """The model from what a scene file would say, without anything else of the list."""
+def _alone(summary: ContactSummary, known: dict[str, Any], hypothesis: Hypothesis, mean: float, ratio: float,
+           length_ratio: float) -> Components:
+    """The model from what a scene file would say, without anything else of the list.
+
+    The length ratio carries gradation and shape: with it the model has <l^2>/<r^3>^(2/3) of the packing.
+    """
     from granular.evaluation import evaluate
     from granular.scene import Scene
 
@@ -323,8 +354,8 @@ def _alone(summary: ContactSummary, known: dict[str, Any], hypothesis: Hypothesi
             "grains": {"shear_modulus": known["Gs"], "poisson_ratio": known["nu"]},
             "packing": {"void_ratio": known["e"], "coordination_number": summary.coordination_number,
                         "contact_normals": {"D33": fabric.D33}},
-            "branches": {"anisotropy": {"D33": fabric.Dr33}}, "stress": {"mean": mean, "ratio": ratio},
-            "model": {"hypothesis": str(hypothesis)}})
+            "branches": {"anisotropy": {"D33": fabric.Dr33}, "length_ratio": length_ratio},
+            "stress": {"mean": mean, "ratio": ratio}, "model": {"hypothesis": str(hypothesis)}})
         return dict(evaluate(scene).stiffness.components)
 
 

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing
+from functools import partial
 from typing import TYPE_CHECKING
 
 from granular.contacts.columns import Columns, columns_of
 from granular.contacts.files import open_table
 from granular.contacts.pairs import Pairs
-from granular.contacts.soundness import check, finite_rows, refuse_missing
-from granular.errors import ContactValuesMissing
+from granular.contacts.periods import across_periods, periods
+from granular.contacts.soundness import Missing, check, finite_rows
+from granular.errors import ContactValuesMissing, found_at
 from granular.units import shown_path
 
 if TYPE_CHECKING:
@@ -33,6 +35,8 @@ class ContactList:
         Take missing normals along the branches.
     drop_bad : bool
         Leave out contacts with a number that is missing or not finite, and count them.
+    cell : sequence of 3 float, optional
+        Edges of a periodic cell [m], 0 where it has no period: branches are made the shortest that it allows.
 
     Attributes
     ----------
@@ -58,9 +62,11 @@ class ContactList:
     """
 
     def __init__(self, path: str | os.PathLike[str], *, columns: Mapping[str, str] | None = None,
-                 step: int | None = None, spheres_only: bool = False, drop_bad: bool = False) -> None:
+                 step: int | None = None, spheres_only: bool = False, drop_bad: bool = False,
+                 cell: Sequence[float] | None = None) -> None:
         """Open the file and find its columns."""
         self.name = shown_path(os.fspath(path))
+        self._cell = None if cell is None else periods(cell)
         self._table, self._drop_bad = open_table(path, step=step), drop_bad
         self.columns: Columns = columns_of(self._table.columns, columns or {}, file=self.name,
                                            spheres_only=spheres_only)
@@ -95,19 +101,27 @@ class ContactList:
         """Blocks of contacts that can be, their pairs noted; in the end all of them once more."""
         import numpy as np
 
+        missing, first = Missing(self.columns.wanted), 1
+        place_of = self._table.place_of
         for rows in self._table.chunks(self.columns.wanted):
-            first = self.read + self.dropped + 1
             sound = finite_rows(rows)
-            if not (sound.all() or self._drop_bad):
-                refuse_missing(rows, self.columns.wanted, file=self.name, first=first)
-            block = self.columns.block(rows if sound.all() else rows[:, sound])
-            self.dropped += int(sound.size - block.size)
-            check(block, file=self.name, numbers=first + np.flatnonzero(sound))
+            numbers, first = first + np.flatnonzero(sound), first + sound.size
+            missing.add(rows, ~sound, first=first - sound.size)
+            if missing.contacts and not self._drop_bad:
+                continue  # to the end of the file, so that all of them are counted
+            whole = None if self._cell is None else partial(
+                across_periods, cell=self._cell, numbers=numbers, place_of=place_of)
+            with found_at(f"{self.name}: "):
+                block = self.columns.block(rows if sound.all() else rows[:, sound], whole)
+            self.dropped = missing.contacts
+            check(block, file=self.name, numbers=numbers, place_of=place_of)
             if block.spheres is not None:
                 pairs.add(block.spheres)
             self.read += block.size
             if block.size:
                 yield block
+        if missing.contacts and not self._drop_bad:
+            missing.refuse(file=self.name, contacts=first - 1, place_of=place_of)
         if not self.read:
             left_out = f" ({self.dropped} left out)" if self.dropped else ""
             raise ContactValuesMissing(f"{self.name} has no contact{left_out}", allowed="needed: at least one",

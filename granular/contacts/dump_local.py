@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from granular.contacts.open_text import open_text
-from granular.contacts.tables import ROWS, parsed
+from granular.contacts.tables import ROWS, line_of, parsed
 from granular.errors import BadOption, ContactFileUnusable
 from granular.units import shown
 
@@ -79,6 +79,11 @@ class DumpLocal:
                 rows = list(islice(lines, min(ROWS, step.entries - start)))
                 yield parsed(rows, places, self.columns, separator=None, file=self._name,
                              first_line=step.first_line + start)
+
+    def place_of(self, contact: int) -> str:
+        """Tell its line; see ``ContactTable``."""
+        with open_text(self._path, self._name) as lines:
+            return line_of(lines, contact, first_line=self._chosen.first_line)
 
 
 def _steps(lines: Iterator[str], name: str) -> Iterator[_Step]:

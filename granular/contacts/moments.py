@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from granular.contacts.kernels import PairSums, products
@@ -47,6 +48,10 @@ class Moments:
         Contacts with a stiffness, and with a shear stiffness above zero [-].
     kn, ks : float
         Sums of the stiffnesses [N/m].
+    kn_l2 : float
+        Sum of kn l^2 [N m].
+    least_radius : float
+        Smallest radius of all [m]; infinite where the list has none.
     """
 
     def __init__(self, friction: float | None) -> None:
@@ -59,14 +64,14 @@ class Moments:
         """
         import numpy as np
 
-        self._friction = friction
+        self._friction, self.least_radius = friction, math.inf
         self.contacts = self.forces = self.shears = self.sliding = self.stiff = self.flexible = 0
         self.normals, self.branches = np.zeros(6), np.zeros(6)
         self.mixed, self.stress = np.zeros((3, 3)), np.zeros((3, 3))
         self.lengths = dict.fromkeys(("l", "l2", "inverse_l2", *(f"{name} of {of}" for of in DIRECTIONS for name in
                                                                  ("P2", "P2^2", "l P2"))), 0.0)
         self.kinematic, self.static = PairSums(), PairSums()
-        self.kn = self.ks = 0.0
+        self.kn = self.ks = self.kn_l2 = 0.0
 
     def add(self, block: ContactBlock, stiffness: tuple[Array, Array] | None) -> None:
         """Take some more contacts.
@@ -97,12 +102,15 @@ class Moments:
             p2 = 1.5 * cosine**2 - 0.5
             for name, values in (("P2", p2), ("P2^2", p2**2), ("l P2", length * p2)):
                 self.lengths[f"{name} of {of}"] += float(values.sum())
+        if block.radii is not None:
+            self.least_radius = min(self.least_radius, float(block.radii.min(initial=math.inf)))
         self._add_forces(block)
         if stiffness is None:
             return
         kn, ks = stiffness
         self.stiff += block.size
         self.kn += float(kn.sum())
+        self.kn_l2 += float(kn @ squared)
         self.ks += float(ks.sum())
         self.kinematic.add(branch, normal, kn - ks, ks)
         some = (ks > 0) & (kn > 0)

@@ -19,8 +19,14 @@ if TYPE_CHECKING:
 UNIT = 1e-5
 """How far the length of a normal may be from 1 [-]: six written digits keep within a twentieth of that."""
 
+SHOWN = 3
+"""Contacts that a message names."""
+
 REACH = 1e-5
 """How far apart two spheres may be, over the sum of their radii [-]: a branch of six digits is no better."""
+
+PERIOD = "branches across a periodic boundary lack its period, which --cell LX LY LZ adds"
+"""What makes a branch too long, or turns it round."""
 
 
 def finite_rows(rows: Array) -> NDArray[np.bool_]:
@@ -45,41 +51,78 @@ def finite_rows(rows: Array) -> NDArray[np.bool_]:
     return np.asarray(np.isfinite(rows).all(axis=0))
 
 
-def refuse_missing(rows: Array, columns: tuple[str, ...], *, file: str, first: int) -> NoReturn:
-    """Refuse contacts that lack a number.
+class Missing:
+    """Contacts that lack a number, counted over a whole list.
 
     Parameters
     ----------
-    rows : (k, n) array
-        Columns of a list, one a row [any unit]; some contact lacks a number.
     columns : tuple of str
-        Their names in the file.
-    file : str
-        Name of the file, for messages.
-    first : int
-        Number of the first of these contacts in the list, from 1.
+        Names of the columns in the file.
 
-    Raises
-    ------
-    ContactValuesMissing
-        Always, with the number of contacts among these and the first of them.
-
-    Notes
-    -----
-    Source: a policy of this package.
+    Attributes
+    ----------
+    contacts : int
+        How many lack a number [-].
     """
-    import numpy as np
 
-    bad = ~finite_rows(rows)
-    contact = int(np.argmax(bad))
-    column = int(np.argmax(~np.isfinite(rows[:, contact])))
-    raise ContactValuesMissing(
-        f"{file}: {_counted(int(bad.sum()))} with a value that is missing or not finite among contacts {first} to "
-        f"{first + bad.size - 1}, first {columns[column]} = {rows[column, contact]} of contact {first + contact}",
-        allowed="allowed finite numbers", remedy="Find out why, or leave such contacts out with --drop-bad.")
+    def __init__(self, columns: tuple[str, ...]) -> None:
+        """Begin without any."""
+        self.contacts = 0
+        self._columns, self._first = columns, list[tuple[str, int]]()
+
+    def add(self, rows: Array, bad: NDArray[np.bool_], *, first: int) -> None:
+        """Take some more of them.
+
+        Parameters
+        ----------
+        rows : (k, n) array
+            Columns of a list, one a row [any unit].
+        bad : (n,) array of bool
+            Which contacts lack a number [-].
+        first : int
+            Number of the first of these contacts in the list, from 1.
+
+        Notes
+        -----
+        Source: counting.
+        """
+        import numpy as np
+
+        self.contacts += int(bad.sum())
+        for contact in np.flatnonzero(bad)[:SHOWN - len(self._first)]:
+            column = int(np.argmax(~np.isfinite(rows[:, contact])))
+            self._first.append((f"{self._columns[column]} = {rows[column, contact]}", first + int(contact)))
+
+    def refuse(self, *, file: str, contacts: int, place_of: Callable[[int], str]) -> NoReturn:
+        """Refuse the list.
+
+        Parameters
+        ----------
+        file : str
+            Name of the file, for messages.
+        contacts : int
+            Of the whole list [-].
+        place_of : callable
+            Number of a contact -> where it stands.
+
+        Raises
+        ------
+        ContactValuesMissing
+            Always, with the number of contacts and the first of them.
+
+        Notes
+        -----
+        Source: a policy of this package.
+        """
+        named = ", ".join(f"{value} in {place_of(contact)}" for value, contact in self._first)
+        beginning = "first " if self.contacts > len(self._first) else ""
+        raise ContactValuesMissing(
+            f"{file}: {self.contacts} of {_counted(contacts)} with a value that is missing or not finite, {beginning}"
+            f"{named}", allowed="allowed finite numbers",
+            remedy="Find out why, or leave such contacts out with --drop-bad.")
 
 
-def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None:
+def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64], place_of: Callable[[int], str]) -> None:
     """Refuse contacts that two grains cannot have.
 
     Parameters
@@ -90,6 +133,8 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None
         Name of the file, for messages.
     numbers : (n,) array of int
         Number of each contact in the list, from 1 [-].
+    place_of : callable
+        Number of a contact -> where it stands.
 
     Raises
     ------
@@ -107,8 +152,8 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None
     def refuse(bad: NDArray[np.bool_], what: str, value: Callable[[int], str], allowed: str, remedy: str) -> None:
         if bad.any():
             worst = int(np.argmax(bad))
-            raise ContactImpossible(f"{file}: {_counted(int(bad.sum()))} with {what}, first contact {numbers[worst]} "
-                                    f"with {value(worst)}", allowed=f"allowed {allowed}", remedy=remedy)
+            raise ContactImpossible(f"{file}: {_counted(int(bad.sum()))} with {what}, first {value(worst)} in "
+                                    f"{place_of(int(numbers[worst]))}", allowed=f"allowed {allowed}", remedy=remedy)
 
     length = np.sqrt(np.sum(block.branch**2, axis=0))
     unit = np.sqrt(np.sum(block.normal**2, axis=0))
@@ -117,8 +162,11 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None
            "Give the vector from grain centre to grain centre; a wall has none.")
     refuse(np.abs(unit - 1) > UNIT, "a normal that is no unit vector", lambda k: f"|n| = {unit[k]:.7g}",
            f"|n| = 1 within {UNIT:g}", "Check which columns are n1 n2 n3, and write them with at least six digits.")
-    refuse(along <= 0, "a branch against its normal", lambda k: f"l.n = {along[k]:.4g} m", "l.n > 0",
-           "Let both point from the first grain to the second: change the sign of one of them.")
+    against = along <= 0
+    if not block.has_clumps or 2 * int(against.sum()) > block.size:  # clumps that interlock may have one
+        refuse(against, "a branch against its normal", lambda k: f"l.n = {along[k]:.4g} m", "l.n > 0",
+               "Let both point from the first grain to the second: change the sign of one of them. Where only some are "
+               f"wrong: {PERIOD}.")
     for name, array in (("kn", block.kn), ("R1 R2", None if block.radii is None else block.radii.min(axis=0))):
         if array is not None:
             refuse(array <= 0, f"{name} that is not positive", partial(_shown_at, array), "positive values",
@@ -128,7 +176,7 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None
     if (force := block.normal_force) is not None:
         refuse(force < 0, "a tensile force", lambda k: f"fn = {force[k]:.4g} N", "fn >= 0, compression positive",
                "Change the sign if tension is positive there, exchange the two grains if f1 f2 f3 is the force on the "
-               "first; leave out contacts that are held by cohesion.")
+               f"first; leave out contacts that are held by cohesion. Where only some are wrong: {PERIOD}.")
     if (overlap := block.overlap) is not None:
         refuse(overlap < 0, "a negative overlap", lambda k: f"overlap = {overlap[k]:.4g} m", "overlap >= 0",
                "Leave out pairs that do not touch.")
@@ -136,7 +184,7 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64]) -> None
         gap = length - radii.sum(axis=0)
         refuse(gap > REACH * radii.sum(axis=0), "grains that do not reach each other",
                lambda k: f"l = {length[k]:.7g} m for R1 + R2 = {radii[:, k].sum():.7g} m", "l <= R1 + R2",
-               "Add the period to branches across a periodic boundary; leave out pairs that do not touch.")
+               f"Leave out pairs that do not touch; {PERIOD}.")
 
 
 def _shown_at(values: Array, k: int) -> str:

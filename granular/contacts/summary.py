@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 FROM_LIST, FROM_FORCES = "kn and ks of the list", "Hertz-Mindlin from the contact forces"
 """Where contact stiffnesses come from."""
 
-NO_STIFFNESS = ("the list has no kn and ks, and to take them from the forces it needs fn, with --shear-modulus and "
-                "--poisson-ratio")
+NO_STIFFNESS = ("the list does not have both kn and ks, and to take them from the forces it needs fn, with "
+                "--shear-modulus and --poisson-ratio")
 """Why there is no stiffness."""
 
 COLLINEAR = 1 - 1e-6
@@ -75,6 +75,8 @@ class ContactSummary:
         Where contact stiffnesses come from.
     mean_kn, mean_ks : float or None
         Means over the contacts [N/m].
+    stiffer_where_longer : float or None
+        <l^2 kn> over <l^2> <kn> [-]: what eq. (1) has, and no model with one kn for all branch lengths.
     raw : (3, 3, 3, 3) array or None
         C_ijkl of eq. (1) without any symmetrisation [Pa].
     kinematic : Stiffness or None
@@ -83,6 +85,9 @@ class ContactSummary:
         Eq. (5) and Figure 1(b), minor-symmetrised [Pa].
     no_kinematic, no_static : str
         Why there is none; empty where there is.
+    stragglers : tuple or None
+        How many branches are far longer than all others [-], the shortest of these and the longest of the others [m];
+        None where there are none, or where radii tell that they reach.
     material : Material
         What was said of the grains.
     """
@@ -107,11 +112,13 @@ class ContactSummary:
     stiffness_source: str | None
     mean_kn: float | None
     mean_ks: float | None
+    stiffer_where_longer: float | None
     raw: Array | None
     kinematic: Stiffness | None
     static: Stiffness | None
     no_kinematic: str
     no_static: str
+    stragglers: tuple[int, float, float] | None
     material: Material
 
     @property
@@ -162,7 +169,7 @@ class ContactSummary:
 
 def summarise(path: str | os.PathLike[str], *, volume: float, grains: int | None = None,
               columns: Mapping[str, str] | None = None, step: int | None = None, spheres_only: bool = False,
-              drop_bad: bool = False, material: Material | None = None,
+              drop_bad: bool = False, cell: Sequence[float] | None = None, material: Material | None = None,
               progress: Callable[[int], None] | None = None) -> ContactSummary:
     """Read a contact list once and tell what it holds.
 
@@ -182,6 +189,8 @@ def summarise(path: str | os.PathLike[str], *, volume: float, grains: int | None
         Take missing normals along the branches.
     drop_bad : bool
         Leave out contacts with a number that is missing or not finite.
+    cell : sequence of 3 float, optional
+        Edges of a periodic cell [m], 0 where it has no period, for branches between centres that are both inside it.
     material : Material, optional
         Elasticity of the grains, for lists without stiffnesses; friction, to say which contacts slide.
     progress : callable, optional
@@ -219,7 +228,8 @@ def summarise(path: str | os.PathLike[str], *, volume: float, grains: int | None
     material = Material() if material is None else material
     from granular.fabric_tensors import Moments as DirectionMoments
 
-    contacts = ContactList(path, columns=columns, step=step, spheres_only=spheres_only, drop_bad=drop_bad)
+    contacts = ContactList(path, columns=columns, step=step, spheres_only=spheres_only, drop_bad=drop_bad,
+                           cell=cell)
     moments, by_angle, lengths = Moments(material.friction), ByAngle(), Lengths()
     touching, numbered, source, directions = Touching(), True, None, DirectionMoments()
     for block in contacts.blocks():
@@ -241,7 +251,18 @@ def summarise(path: str | os.PathLike[str], *, volume: float, grains: int | None
         raise ValueOutOfRange(f"grains = {grains}", allowed=f"allowed {counts[0]} or more, as many touch in "
                               f"{contacts.name}", remedy="Give the number of all grains, with those that touch "
                               "nothing; for clumps, that of the clumps, with their numbers in grain1 and grain2.")
+    if grains is not None and counts[0] is not None:
+        _refuse_too_small(volume, counts[0], moments.least_radius, contacts.name)
     return _summary(contacts, moments, by_angle, directions.fabric(), lengths, counts, volume, grains, source, material)
+
+
+def _refuse_too_small(volume: float, grains: int, radius: float, file: str) -> None:
+    """Refuse a volume that could not even hold the grains if all of them were as small as the smallest."""
+    least = grains * 4 / 3 * math.pi * radius**3 if math.isfinite(radius) else 0.0
+    if volume < least:
+        raise ValueOutOfRange(f"volume = {volume:g}", allowed=f"allowed {least:.4g} m^3 or more, as {grains} spheres "
+                              f"of the smallest radius in {file}, {radius:.4g} m, take that much",
+                              remedy="Give the volume in m^3 and the list in m.")
 
 
 def _summary(contacts: ContactList, moments: Moments, by_angle: ByAngle, directions: FabricTensors, lengths: Lengths,
@@ -266,8 +287,11 @@ def _summary(contacts: ContactList, moments: Moments, by_angle: ByAngle, directi
         stress_is_whole=moments.shears == size,
         sliding=moments.sliding / size if material.friction is not None and moments.shears else None,
         stiffness_source=source, mean_kn=moments.kn / size if source else None,
-        mean_ks=moments.ks / size if source else None, raw=raw, kinematic=kinematic, static=static,
-        no_kinematic=no_kinematic, no_static=no_static, material=material)
+        mean_ks=moments.ks / size if source else None,
+        stiffer_where_longer=size * moments.kn_l2 / (moments.lengths["l2"] * moments.kn) if moments.kn > 0 else None,
+        raw=raw, kinematic=kinematic, static=static,
+        no_kinematic=no_kinematic, no_static=no_static,
+        stragglers=None if math.isfinite(moments.least_radius) else lengths.stragglers(), material=material)
 
 
 def _stiffness(tensor: Array) -> Stiffness:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import math
 from collections.abc import Iterator, Sequence
+from itertools import islice
 from typing import TYPE_CHECKING, Protocol
 
 from granular.errors import ContactFileUnusable
@@ -48,6 +50,108 @@ class ContactTable(Protocol):
         """
         ...
 
+    def place_of(self, contact: int) -> str:
+        """Where a contact stands, for messages.
+
+        Parameters
+        ----------
+        contact : int
+            Its number in the list, from 1.
+
+        Returns
+        -------
+        str
+            Such as "line 7" of a text, "row 6" of a table without lines.
+        """
+        ...
+
+
+def line_of(lines: Iterator[str], contact: int, *, first_line: int) -> str:
+    """Count lines up to a contact; only a refusal needs it.
+
+    Parameters
+    ----------
+    lines : iterator of str
+        The file from its beginning.
+    contact : int
+        Number of the contact, from 1.
+    first_line : int
+        Where its rows begin, from 1.
+
+    Returns
+    -------
+    str
+        "line" and its number.
+
+    Notes
+    -----
+    Source: what ``parsed`` passes over.
+
+    Examples
+    --------
+    >>> line_of(iter(["a,b", "1,2", "", "3,4"]), 2, first_line=2)
+    'line 4'
+    """
+    rows = (number for number, line in enumerate(islice(lines, first_line - 1, None), start=first_line) if is_row(line))
+    return f"line {next(islice(rows, contact - 1, None))}"
+
+
+def is_row(line: str) -> bool:
+    """Whether a line below the header holds a contact: it is neither empty nor a comment.
+
+    Parameters
+    ----------
+    line : str
+        A line of text.
+
+    Returns
+    -------
+    bool
+        As said.
+
+    Notes
+    -----
+    Source: the format of text tables.
+
+    Examples
+    --------
+    >>> is_row("1,2"), is_row("# a remark"), is_row("  ")
+    (True, False, False)
+    """
+    return bool(line.strip()) and not line.startswith("#")
+
+
+def cells_of(line: str, separator: str | None) -> list[str]:
+    """Part a line into its cells, without the quotes around them.
+
+    Parameters
+    ----------
+    line : str
+        A line of text.
+    separator : str or None
+        What parts the columns; None for white space.
+
+    Returns
+    -------
+    list of str
+        Its cells.
+
+    Notes
+    -----
+    Source: CSV, in which a quoted cell may hold the separator.
+
+    Examples
+    --------
+    >>> cells_of('"n1", 2,"glass, new"', ",")
+    ['n1', '2', 'glass, new']
+    """
+    if separator is None or '"' not in line:
+        return [cell.strip().strip('"') for cell in line.split(separator)]
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
+    except (csv.Error, StopIteration):  # a cell beyond all measure
+        return line.split(separator)
+
 
 def parsed(lines: Sequence[str], places: Sequence[int], columns: Sequence[str], *, separator: str | None, file: str,
            first_line: int) -> Array:
@@ -89,6 +193,8 @@ def parsed(lines: Sequence[str], places: Sequence[int], columns: Sequence[str], 
     """
     import numpy as np
 
+    if separator is not None and any('"' in line for line in lines):
+        lines = [separator.join(cell.replace(separator, " ") for cell in cells_of(line, separator)) for line in lines]
     for number, line in enumerate(lines, start=first_line):
         cells = line.count(separator) + 1 if separator is not None else len(line.split())
         if cells != len(columns) and line.strip():
@@ -107,9 +213,10 @@ def parsed(lines: Sequence[str], places: Sequence[int], columns: Sequence[str], 
 
 
 def _number(line: str, place: int, columns: Sequence[str], separator: str | None, where: str) -> float:
-    cell = line.split(separator)[place].strip().strip('"')
+    cell = line.split(separator)[place].strip()
     try:
-        return float(cell)
+        if "_" not in cell:  # 1_0 is a number to Python, and to no other program
+            return float(cell)
     except ValueError:
         if cell.lower() in _MISSING:
             return math.nan

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from granular.contacts.open_text import open_text
-from granular.contacts.tables import ROWS, parsed
+from granular.contacts.tables import ROWS, cells_of, is_row, line_of, parsed
 from granular.errors import ContactColumnsMissing
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ class TextTable:
         with open_text(path, name) as lines:
             self._header_lines, header = _header(lines)
         self._separator = next((mark for mark in _SEPARATORS if mark in header), None)
-        cells = [cell.strip().strip('"').strip() for cell in header.split(self._separator)]
+        cells = cells_of(header, self._separator)
         self.columns: tuple[str, ...] = tuple(cells)
         if not header or all(_is_number(cell) for cell in cells):
             raise ContactColumnsMissing(
@@ -63,10 +63,15 @@ class TextTable:
             for _ in islice(lines, line):
                 pass
             while chunk := list(islice(lines, ROWS)):
-                rows = [text if not text.startswith("#") else "" for text in chunk]
+                rows = [text if is_row(text) else "" for text in chunk]
                 yield parsed(rows, places, self.columns, separator=self._separator, file=self._name,
                              first_line=line + 1)
                 line += len(chunk)
+
+    def place_of(self, contact: int) -> str:
+        """Tell its line; see ``ContactTable``."""
+        with open_text(self._path, self._name) as lines:
+            return line_of(lines, contact, first_line=self._header_lines + 1)
 
 
 def _header(lines: Iterator[str]) -> tuple[int, str]:

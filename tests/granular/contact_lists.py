@@ -8,8 +8,10 @@ import math
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from granular.contacts.block import ContactBlock
+from granular.contacts.contact_list import ContactList
 from granular.contacts.example import example_facts, example_path
 
 EXAMPLE, FACTS = example_path(), example_facts()
@@ -56,3 +58,12 @@ def written(path: Path, *lines: str) -> Path:
     """Write a file of some lines."""
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return path
+
+
+def refused(path: Path, kind: type[Exception], *words: str, **options: object) -> None:
+    """Read a list that is to be refused with some words."""
+    with pytest.raises(kind) as refusal:
+        for _ in ContactList(path, **options).blocks():
+            pass
+    for word in words:
+        assert word in str(refusal.value)

@@ -89,13 +89,39 @@ def test_fabric_by_two_routes():
     assert [test.significant() for test in packing.tests] == [False, True, False, False]
 
 
-def test_text_is_for_people(command):
-    # Breaks when the text loses a section, or a table grows wider than a terminal.
+@pytest.mark.parametrize("width", [80, 60, 45])
+def test_text_is_for_people(command, monkeypatch, width):
+    # Breaks when the text loses a section, grows wider than its terminal, or breaks between a name and its number.
+    monkeypatch.setenv("COLUMNS", str(width))
     code, out, _ = command(EXAMPLE, "--volume", VOLUME, *MATERIAL)
     assert code == 0
-    for word in ("Fabric", "without rattlers", "eq. (1)", "eq. (5)", "(23)", "sliding", "needs --grains"):
+    for word in ("Fabric", "without rattlers", "eq. (1)", "eq. (5)", "(23)", "sliding", "needs --grains", "N33 0.34",
+                 "greatest 0.002", "s33 128", "80-90"):
         assert word in out
-    assert max(map(len, out.splitlines())) <= 80
+    assert max(map(len, out.splitlines())) <= width
+
+
+@pytest.mark.parametrize("width", [80, 60])
+def test_a_comparison_fits_its_terminal(command, monkeypatch, width):
+    # Breaks when the table of a comparison grows wider than a terminal, or loses rows where it folds.
+    monkeypatch.setenv("COLUMNS", str(width))
+    code, out, _ = command("--compare", example_folder())
+    assert code == 0
+    assert max(map(len, out.splitlines())) <= width
+    assert out.count("relaxed, friction active") == (1 if width == 80 else 2)
+    assert "within 0.019 % of C3333" in " ".join(out.split())
+
+
+def test_stiffer_contacts_of_longer_branches_are_told(command, tmp_path):
+    # Breaks when the part of eq. (1) that a model with one kn misses is another one than the list has.
+    axes, long = icosahedron(), np.array([1, 1, 1, 2, 2, 2])
+    rows = np.array([*(1e-3 * long * axes), *axes, *(np.array([[3e5], [2e5]]) * long)]).T
+    path = tmp_path / "list.csv"
+    np.savetxt(path, rows, delimiter=",", header="l1,l2,l3,n1,n2,n3,kn,ks", comments="", fmt="%.17g")
+    told = json.loads(command(path, "--volume", 1e-8, "--json")[1])
+    assert told["stiffer_where_longer"] == pytest.approx((1 + 8) / 2 / ((1 + 4) / 2 * (1 + 2) / 2), rel=1e-14)
+    assert "1.2000 times" in " ".join(command(path, "--volume", 1e-8)[1].split())
+    assert summarise(EXAMPLE, volume=1.0).stiffer_where_longer == pytest.approx(1, abs=2e-4)  # nearly equal lengths
 
 
 def test_a_list_of_directions_alone_is_welcome(command, tmp_path):

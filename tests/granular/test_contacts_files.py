@@ -27,7 +27,7 @@ from granular.errors import (
 )
 
 sys.path.insert(0, str(Path(__file__).parent))
-from contact_lists import EXAMPLE, HEADER, SOUND, table, written
+from contact_lists import EXAMPLE, HEADER, SOUND, refused, table, written
 
 
 def arrays(path, **options):
@@ -122,14 +122,6 @@ def test_centres_and_a_force_vector_stand_for_branch_and_forces(tmp_path):
     assert block.shear_force[:, 0].tolist() == [0.5, 0.0, 0.0]
 
 
-def refused(path, kind, *words, **options):
-    with pytest.raises(kind) as refusal:
-        for _ in ContactList(path, **options).blocks():
-            pass
-    for word in words:
-        assert word in str(refusal.value)
-
-
 def with_row(folder, row, header=HEADER):
     return written(folder / "list.csv", header, *SOUND[:2], row, *SOUND[2:])
 
@@ -140,7 +132,7 @@ def test_the_sound_rows_are_sound(tmp_path):
 
 
 @pytest.mark.parametrize(("row", "words"), [
-    ("4,5,0,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6", ["no length", "contact 3"]),
+    ("4,5,0,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6", ["no length", "line 4"]),
     ("4,5,0.0019,0,0,0.99,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6", ["no unit vector", "|n| = 0.99"]),
     ("4,5,0.0019,0,0,-1,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6", ["against its normal", "-0.0019"]),
     ("4,5,0.0019,0,0,1,0,0,1e-3,1e-3,-1,0,0,0,1e6,1e6", ["tensile", "fn = -1 N"]),
@@ -195,10 +187,52 @@ def test_pairs_are_found_twice_on_disk_too(monkeypatch):
 def test_missing_values_are_counted_and_dropped_on_demand(cell, tmp_path):
     # Breaks when a NaN spreads into every sum, or rows vanish without being asked for.
     path = with_row(tmp_path, f"4,5,0.0019,0,0,1,0,0,1e-3,1e-3,{cell},0,0,0,1e6,1e6")
-    refused(path, ContactValuesMissing, "1 contact", "fn", "contact 3", "--drop-bad")
+    refused(path, ContactValuesMissing, "1 of 5 contacts", "fn = ", "line 4", "--drop-bad")
     contacts = ContactList(path, drop_bad=True)
     assert sum(block.size for block in contacts.blocks()) == 4
     assert (contacts.read, contacts.dropped) == (4, 1)
+
+
+def test_missing_values_are_counted_over_the_whole_file(tmp_path, monkeypatch):
+    # Breaks when only the first chunk is counted, or a line is counted wrongly past comments and empty lines.
+    monkeypatch.setattr("granular.contacts.text_table.ROWS", 2)
+    rows = [SOUND[0], "", "# a remark", SOUND[1].replace("0.4", "nan"), SOUND[2], *(["1,2" + ",nan" * 14] * 4)]
+    path = written(tmp_path / "list.csv", HEADER, *rows)
+    refused(path, ContactValuesMissing, "5 of 7 contacts", "first fn = nan in line 5, l1 = nan in line 7, l1 = nan in "
+            "line 8, allowed")
+    text = as_dump(tmp_path).read_text("utf-8").splitlines()
+    bad = written(tmp_path / "a.dump", *text[:-1], " ".join(["nan", *text[-1].split()[1:]]))
+    assert len(arrays(bad)["kn"]) == 5753  # the index is not wanted
+    bad = written(tmp_path / "b.dump", *text[:-1], " ".join([*text[-1].split()[:-1], "nan"]))
+    refused(bad, ContactValuesMissing, "1 of 5753 contacts", f"not finite, ks = nan in line {len(text)}")
+
+
+def test_missing_values_of_parquet_files_are_counted_too(tmp_path):
+    # Breaks when a row of a file without lines has no name.
+    parquet, pyarrow = pytest.importorskip("pyarrow.parquet"), pytest.importorskip("pyarrow")
+    columns = {"l1": [2e-3, None], "l2": [0.0, 2e-3], "l3": [0.0] * 2, "n1": [1.0, 0.0], "n2": [0.0, 1.0],
+               "n3": [0.0] * 2}
+    parquet.write_table(pyarrow.table(columns), tmp_path / "a.parquet")
+    refused(tmp_path / "a.parquet", ContactValuesMissing, "1 of 2 contacts", "l1 = nan in row 2")
+
+
+@pytest.mark.parametrize(("header", "row"), [
+    ('"l1","l2","l3","n1","n2","n3","of"', '"0.002","0","0","1","0","0","glass, new"'),
+    ("\ufeffl1, l2, l3, n1, n2, n3, of", "2.0E-03, -0.0, 0, 1e0, 0, -0.0, x\r"),
+    ("of;n3;n2;n1;l3;l2;l1;", "x;0;0;1;0;0;.002;"),
+])
+def test_every_way_of_writing_a_row(header, row, tmp_path):
+    # Breaks on quotes with a separator inside, a byte-order mark, Windows line ends, signs of zero, another order.
+    path = written(tmp_path / "list.csv", header, row)
+    block = next(ContactList(path).blocks())
+    assert (block.branch[:, 0].tolist(), block.normal[:, 0].tolist()) == ([0.002, 0.0, 0.0], [1.0, 0.0, 0.0])
+
+
+def test_what_is_no_number_to_other_programs_is_none_here(tmp_path):
+    # Breaks when Python's way of writing 10 as 1_0 is taken for a number, or half a body is rounded to a whole one.
+    refused(written(tmp_path / "a.csv", "l1,l2,l3,n1,n2,n3", "1_0,0,0,1,0,0"), ContactFileUnusable, '"1_0"')
+    refused(with_row(tmp_path, "4.5,5,0.0019,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6"), ContactImpossible, "list.csv",
+            "id1 id2 = 4.5 5", "whole")
 
 
 def test_missing_columns_name_those_found(tmp_path):
