@@ -106,6 +106,7 @@ h0 = sp.Symbol("h0", real=True)
 tangent = sp.Symbol("t", positive=True)
 log_tangent = sp.Symbol("sigma", real=True)
 kappa, psi_s = sp.symbols("kappa psi_s", positive=True)
+margin, onset_strength = sp.symbols("margin onset_strength", real=True)
 
 # Moments with contact stiffnesses averaged apart: normal, tangential, normal less tangential; then the flexibilities.
 q0, q1, q2 = sp.symbols("q0 q1 q2", nonnegative=True)
@@ -227,6 +228,8 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(tangent, r"t", "-", "> 0", "tangent of the angle from axis 3"),
     Quantity(log_tangent, r"\sigma", "-", "any", "log-tangent: logarithm of t over its value nearest to sliding"),
     Quantity(kappa, r"\kappa", "-", ">= 0", "largest share of its friction that a contact uses up"),
+    Quantity(margin, r"\delta_s", "-", "-1 to 1", "margin before sliding, (1 - kappa)/(1 + kappa), 0 at the onset"),
+    Quantity(onset_strength, r"B_\pm", "-", "any", "factor of what is not smooth at the onset, one on either side"),
     Quantity(psi_s, r"\psi_s", "-", "> 0", "log-tangent at the edge of the sliding directions"),
     Quantity(q0, r"q_0", "-", ">= 0", "moment of the tangential stiffness with the fourth power of the sine"),
     Quantity(q1, r"q_1", "-", ">= 0", "moment of the tangential stiffness with squared sine and squared cosine"),
