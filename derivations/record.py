@@ -108,6 +108,25 @@ class Function:
 
 
 @dataclass(frozen=True)
+class BatchFunction:
+    """A function that is emitted for very many elements at once: as a loop to compile and for blocks by NumPy.
+
+    Attributes
+    ----------
+    function : Function
+        What is computed for one element. Its polynomials are called with a single symbol.
+    serves : tuple of relation
+        Where it may be used, all of them to hold; in arguments and assigned symbols.
+    gate : sympy.Symbol
+        An assigned symbol that is a factor of every result: it becomes NaN where the function does not serve.
+    """
+
+    function: Function
+    serves: tuple[sp.Rel, ...]
+    gate: sp.Symbol
+
+
+@dataclass(frozen=True)
 class Derivation:
     """A derivation from its inputs to its outputs.
 
@@ -129,6 +148,8 @@ class Derivation:
         The way from inputs to outputs.
     functions : tuple of Function
         What is emitted, in order; a later one may use the names that an earlier one returns.
+    batch : tuple of BatchFunction
+        What is emitted for very many elements.
     """
 
     name: str
@@ -140,6 +161,7 @@ class Derivation:
     outputs: tuple[Output, ...]
     steps: tuple[Step, ...]
     functions: tuple[Function, ...] = field(default=())
+    batch: tuple[BatchFunction, ...] = field(default=())
 
     def output(self, name: str) -> Output:
         """Return one output by name.
