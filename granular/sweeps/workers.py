@@ -1,0 +1,219 @@
+"""Who computes the chunks: this process, as many as the machine has cores, or the workers of a dask scheduler.
+
+A chunk's numbers depend on its points alone, so that nothing here can change a bit; workers that would are refused.
+"""
+
+from __future__ import annotations
+
+import logging
+import multiprocessing
+import os
+import signal
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
+from typing import Any
+
+from granular.errors import SchedulerUnreachable, WorkersUnusable
+from granular.sweeps.engine import Block, Task
+from granular.sweeps.provenance import fingerprint
+
+WORTH = 10.0
+"""Seconds of work left over from which starting other processes pays; they need some seconds to start."""
+
+PATIENCE = 10.0
+"""Seconds that a scheduler has to answer, and its first worker to show up."""
+
+AHEAD = 2
+"""Chunks given out for each thread of the workers, so that none waits and few are lost."""
+
+Tasks = Mapping[int, Callable[[], Task]]
+"""Number of a chunk -> what makes its task; made only when it is given out."""
+
+
+def computed(tasks: Tasks, *, workers: int | None, scheduler: str | None) -> Iterator[tuple[int, Block]]:
+    """Compute chunks, in the order in which they are finished.
+
+    Parameters
+    ----------
+    tasks : dict
+        The chunks to compute.
+    workers : int or None
+        Processes on this machine; by default this one, and all cores where enough is left to do.
+    scheduler : str or None
+        Address of a dask scheduler whose workers compute in place of this machine.
+
+    Yields
+    ------
+    tuple
+        Number of a chunk, and its numbers.
+
+    Raises
+    ------
+    GranularError
+        A point is refused, or the workers cannot be used.
+
+    Notes
+    -----
+    Source: dask.distributed.
+    """
+    left = dict(tasks)
+    if scheduler is not None:
+        if left:
+            with _remote(scheduler) as client:
+                yield from _on(client, left)
+        return
+    if workers is None:
+        yield from _here(left, until_worth=min(_cores(), len(left)) > 1)
+    processes = min(_cores() if workers is None else workers, len(left))
+    if processes > 1:
+        with _local(processes) as client:
+            yield from _on(client, left)
+    else:
+        yield from _here(left)
+
+
+def refuse_inside_a_worker() -> None:
+    """Refuse to start a sweep in a process that is still reading the script which started it.
+
+    Raises
+    ------
+    WorkersUnusable
+        The script calls the sweep when it is imported, as every worker does.
+    """
+    if getattr(multiprocessing.current_process(), "_inheriting", False):
+        raise WorkersUnusable("a sweep that is called when its script is imported",
+                              allowed="allowed only behind a guard, for every worker imports the script",
+                              remedy='Put the call under if __name__ == "__main__":, or say workers=1.')
+
+
+def _here(left: dict[int, Callable[[], Task]], *, until_worth: bool = False) -> Iterator[tuple[int, Block]]:
+    """Chunks computed by this process, all of them or until other processes are worth starting."""
+    spent, done = 0.0, 0
+    while left and not (until_worth and done and spent / done * len(left) > WORTH):
+        number = next(iter(left))
+        begun = time.perf_counter()
+        block = left.pop(number)().compute()
+        spent, done = spent + time.perf_counter() - begun, done + 1
+        yield number, block
+
+
+def _on(client: Any, left: dict[int, Callable[[], Task]]) -> Iterator[tuple[int, Block]]:
+    """Chunks computed by the workers of a client."""
+    from dask.distributed import CancelledError, KilledWorker, as_completed
+    from distributed.comm.core import CommClosedError
+
+    running, under_way = as_completed(), dict[Any, int]()
+
+    def give_out() -> None:
+        ahead = AHEAD * max(1, sum(client.nthreads().values()))
+        while left and len(under_way) < ahead:
+            number = next(iter(left))
+            future = client.submit(_answer, left.pop(number)(), pure=False)
+            under_way[future] = number
+            running.add(future)
+
+    try:
+        give_out()
+        for future in running:
+            block, other = future.result()
+            number = under_way.pop(future)
+            _require_same_bits(other)
+            give_out()
+            yield number, block
+    except (CancelledError, KilledWorker, CommClosedError, TimeoutError, ImportError, OSError) as error:
+        raise WorkersUnusable(f"a chunk was lost with its worker ({' '.join(str(error).split())[:200]})",
+                              allowed="needed: workers that stay, with this version of granular installed",
+                              remedy="Look at their logs, then run the same sweep again; finished chunks are kept."
+                              ) from None
+
+
+def _answer(task: Task) -> tuple[Block, dict[str, str]]:
+    """Compute a chunk somewhere, and say with what."""
+    return task.compute(), fingerprint()
+
+
+def _require_same_bits(other: Mapping[str, str]) -> None:
+    for name, value in fingerprint().items():
+        if other.get(name) != value:
+            raise WorkersUnusable(f"a worker has {name} = {other.get(name)!r}, and here it is {value!r}",
+                                  allowed="allowed only workers whose numbers have the same bits as those from here",
+                                  remedy="Install the same versions there, or run the sweep on that machine.")
+
+
+@contextmanager
+def _local(processes: int) -> Iterator[Any]:
+    """A client of that many processes on this machine."""
+    from dask.distributed import Client, LocalCluster
+
+    with ExitStack() as stack:
+        stack.enter_context(_quiet())
+        with _without_interrupt():
+            try:
+                cluster = stack.enter_context(LocalCluster(
+                    n_workers=processes, threads_per_worker=1, processes=True, host="127.0.0.1",
+                    dashboard_address=None, memory_limit=None, silence_logs=logging.CRITICAL))
+                client = stack.enter_context(Client(cluster))
+            except (OSError, RuntimeError, TimeoutError) as error:
+                raise WorkersUnusable(
+                    f"{processes} processes could not be started ({' '.join(str(error).split())[:200]})",
+                    allowed="needed: a script that can be imported, and room for the processes",
+                    remedy='Put the call under if __name__ == "__main__":, or say workers=1.') from None
+        yield client
+
+
+@contextmanager
+def _remote(address: str) -> Iterator[Any]:
+    """A client of a scheduler that answers and has workers."""
+    from dask.distributed import Client
+
+    with ExitStack() as stack:
+        stack.enter_context(_quiet())
+        try:
+            client = stack.enter_context(Client(address, timeout=PATIENCE))
+        except (OSError, TimeoutError, ValueError, RuntimeError) as error:
+            raise _unreachable(address, " ".join(str(error).split())[:120]) from None
+        with suppress(TimeoutError):
+            client.wait_for_workers(1, timeout=PATIENCE)
+        if not client.nthreads():
+            raise _unreachable(address, "it has no workers")
+        yield client
+
+
+def _unreachable(address: str, reason: str) -> SchedulerUnreachable:
+    return SchedulerUnreachable(f"--scheduler {address} ({reason})",
+                                allowed="needed: a dask scheduler that answers, with a worker at least",
+                                remedy="Start them with dask scheduler and dask worker, or leave the option out to "
+                                       "compute on this machine.")
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep the logs of dask to itself: what matters in them becomes a refusal."""
+    loggers = [logging.getLogger(name) for name in ("distributed", "distributed.client", "distributed.core",
+                                                    "distributed.nanny", "distributed.scheduler")]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)
+
+
+@contextmanager
+def _without_interrupt() -> Iterator[None]:
+    """Start processes that Ctrl-C does not reach: it is for this one to stop them. It arrives here afterwards."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
