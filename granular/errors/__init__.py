@@ -38,6 +38,14 @@ from granular.errors.scenes import (
     ValueOutOfRange,
     WrongType,
 )
+from granular.errors.sweeps import (
+    SchedulerUnreachable,
+    SweepEmpty,
+    SweepFolderTaken,
+    SweepLibraryMissing,
+    SweepTooLarge,
+    WorkersUnusable,
+)
 from granular.errors.tensors import (
     DensityOutOfRange,
     DirectionNotValid,
@@ -81,8 +89,13 @@ __all__ = [
     "QuantityUnreadable",
     "ResultOutOfRange",
     "RouteOutOfDomain",
+    "SchedulerUnreachable",
     "StressNotCompressive",
     "SymmetryNotBuilt",
+    "SweepEmpty",
+    "SweepFolderTaken",
+    "SweepLibraryMissing",
+    "SweepTooLarge",
     "TensorNotElastic",
     "TensorNotInvertible",
     "TensorNotPositive",
@@ -93,6 +106,7 @@ __all__ = [
     "UnknownChoice",
     "UnknownKey",
     "ValueOutOfRange",
+    "WorkersUnusable",
     "WrongType",
     "found_at",
 ]
@@ -107,6 +121,7 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     ContactFileUnusable, ContactColumnsMissing, ContactValuesMissing, ContactImpossible, ContactTwice,
     ComplianceInfinite,
     RouteOutOfDomain, CertifiedArithmeticMissing,
+    SweepEmpty, SweepTooLarge, SweepFolderTaken, SchedulerUnreachable, WorkersUnusable, SweepLibraryMissing,
     IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,
     DensityOutOfRange, ArrayNotUsable, FigureNotKnown, FigureNotWritten,
     NotFinite, ResultOutOfRange,
