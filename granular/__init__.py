@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from granular.hypothesis import Hypothesis
     from granular.planning import Plan, plan
     from granular.scene import Scene
+    from granular.sweeps import open_sweep, sweep
 
 __version__ = "0.1.0"
 
@@ -52,16 +53,19 @@ _HOME = {
     "fabric_of": "granular.fabric_tensors",
     "general_stiffness": "granular.general",
     "length_moments": "granular.gradation",
+    "open_sweep": "granular.sweeps",
     "plan": "granular.planning",
     "read_curve": "granular.gradation",
     "stiffness_by_direction": "granular.branch_stiffness",
     "summarise": "granular.contacts",
+    "sweep": "granular.sweeps",
 }
 
 __all__ = [
     "AxialFabric", "Compliance", "Evaluation", "GeneralFabric", "GeneralLoading", "GranularError", "Hypothesis",
     "Lognormal", "MeasuredCurve", "Plan", "Scene", "Stiffness", "axial_stiffness", "classify", "evaluate", "fabric_of",
-    "general_stiffness", "length_moments", "plan", "read_curve", "stiffness_by_direction", "summarise",
+    "general_stiffness", "length_moments", "open_sweep", "plan", "read_curve", "stiffness_by_direction", "summarise",
+    "sweep",
 ]
 
 
