@@ -229,6 +229,7 @@ def gradients() -> Derivation:
         steps=(_constant_step(), *_force_steps(), *_slip_steps(), *_static_steps(), _reference_step()),
         functions=(gradients_kinematic.constant_gradient(), gradients_kinematic.kinetic_gradient(),
                    gradients_static.constant_gradient(), gradients_static.kinetic_gradient(),
-                   gradients_static.inverse_slope(), shear_slopes(), reference_slopes(),
+                   gradients_static.inverse_slope(), gradients_kinematic.normal_moments(),
+                   gradients_static.normal_moments(), shear_slopes(), reference_slopes(),
                    gradients_series.force_moments()),
     )

@@ -7,10 +7,12 @@ their slopes by the forces are S_k/3 and S_(k+1)/3. One family of seven integral
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from derivations.fabric import BRANCH_FORM
-from derivations.forward import Assignments, slope_of, with_slopes
+from derivations.forward import Assignments, Partials, slope_of, with_slopes
 from derivations.kinematic import LAM, ONE_MINUS_LAM, positive_components
 from derivations.record import Function
 from derivations.sphere import axial_moment
@@ -63,17 +65,26 @@ LAM_PARTIALS = {lam: {nu: -2 / (2 - nu) ** 2}, one_minus_lam: {nu: 2 / (2 - nu) 
 
 def constant() -> Assignments:
     """From the fabric to the components, every contact equally stiff."""
-    moments = tuple((p, sum((o * axial_moment(5 - j - k, j + k) for j, o in enumerate(OMEGA)), sp.Integer(0)))
-                    for k, p in enumerate(POSITIVE_MOMENTS))
+    moments: list[tuple[sp.Symbol, sp.Expr]] = []
+    for k, p in enumerate(POSITIVE_MOMENTS):
+        total = sp.Symbol(f"sum{k}", positive=True)
+        numerator, denominator = sp.fraction(sp.together(
+            sum((o * axial_moment(5 - j - k, j + k) for j, o in enumerate(OMEGA)), sp.Integer(0))))
+        moments += [(total, numerator), (p, total / denominator)]
     return *FABRIC, *moments, *components()
 
 
 def kinetic() -> Assignments:
     """From fabric, stress ratio and the seven integrals to the components, no contact slipping."""
+    return *kinetic_moments(), *components()
+
+
+def kinetic_moments() -> Assignments:
+    """From fabric, stress ratio and the seven integrals to the moments of the normal stiffness."""
     weighted = tuple((S, sum((o * FORCE_MOMENTS[j + k] for j, o in enumerate(OMEGA)), sp.Integer(0)))
                      for k, S in enumerate(WEIGHTED))
     moments = tuple((p, a * WEIGHTED[k] + c * WEIGHTED[k + 1]) for k, p in enumerate(POSITIVE_MOMENTS))
-    return *FABRIC, *FORCES, *weighted, *moments, *components()
+    return *FABRIC, *FORCES, *weighted, *moments
 
 
 def kinetic_partials() -> dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]:
@@ -83,6 +94,25 @@ def kinetic_partials() -> dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]:
         S, following = WEIGHTED[k], WEIGHTED[k + 1]
         partials[p] = {a: S / 3, c: following / 3, S: a, following: c}
     return partials
+
+
+def moment_slopes(name: str, summary: str, integrals: tuple[sp.Symbol, ...], results: tuple[sp.Symbol, ...],
+                  assignments: Assignments, partials: Mapping[sp.Symbol, Partials], notes: str) -> Function:
+    """Emit three moments and their slopes: all three by D33, then by Dr33, then by SR."""
+    variables = (D33, Dr33, SR)
+    carried = with_slopes(assignments, variables, partials=partials)
+    slopes = tuple(slope_of(carried, moment, variable) for variable in variables for moment in results)
+    return Function(name, summary, (*variables, *integrals), carried, (*results, *slopes), unit="-", notes=notes)
+
+
+FORCE_NOTES = "L0 ... L6 are the integrals of s^(6-m) x^(2m) (a s + c x^2)^(-2/3) over x from 0 to 1."
+
+
+def normal_moments() -> Function:
+    """Emit the moments of the normal stiffness and their slopes, for contacts that slip against friction."""
+    return moment_slopes(
+        "normal_moments", "Moments of E W^2 k_n over k_n,ref and their slopes by D33, Dr33 and SR.",
+        FORCE_MOMENTS, POSITIVE_MOMENTS, kinetic_moments(), kinetic_partials(), FORCE_NOTES)
 
 
 def gradient(name: str, summary: str, arguments: tuple[sp.Symbol, ...], variables: tuple[sp.Symbol, ...],
@@ -109,4 +139,4 @@ def kinetic_gradient() -> Function:
         "Six components over (M/V) l_e^2 k_n,ref and their slopes by D33, Dr33, SR and nu, no contact slipping.",
         (*variables, *FORCE_MOMENTS), variables,
         with_slopes(kinetic(), variables, partials=kinetic_partials()),
-        notes="L0 ... L6 are the integrals of s^(6-m) x^(2m) (a s + c x^2)^(-2/3) over x from 0 to 1.")
+        notes=FORCE_NOTES)

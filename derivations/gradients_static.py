@@ -17,6 +17,7 @@ from derivations.gradients_kinematic import (
     FORCES,
     LAM_PARTIALS,
     gradient,
+    moment_slopes,
 )
 from derivations.kinematic import LAM, ONE_MINUS_LAM
 from derivations.kinetic_components import functions as component_functions
@@ -87,9 +88,13 @@ def constant() -> Assignments:
 
 def kinetic() -> Assignments:
     """From fabric, stress ratio and six integrals to the components, no contact slipping."""
+    return *kinetic_moments(), *_equal_tangents(), *_inverse()
+
+
+def kinetic_moments() -> Assignments:
+    """From fabric, stress ratio and six integrals to the moments of the normal flexibility."""
     forces = tuple((y, a * Z[k] + c * Z[k + 1]) for k, y in enumerate(Y))
-    return (*DENSITY_OF_RANK_TWO, *BRANCHES, *FORCES, *_weighted(Z, SOFT_MOMENTS), *forces, *_branches(),
-            *_equal_tangents(), *_inverse())
+    return *DENSITY_OF_RANK_TWO, *BRANCHES, *FORCES, *_weighted(Z, SOFT_MOMENTS), *forces, *_branches()
 
 
 def _density_partials(results: tuple[sp.Symbol, ...],
@@ -114,6 +119,9 @@ def kinetic_partials() -> dict[sp.Symbol, dict[sp.Symbol, sp.Expr]]:
     return partials
 
 
+SOFT_NOTES = "T0 ... T5 are the integrals of s^(5-m) x^(2m) W^-3 (a s + c x^2)^(-4/3) over x from 0 to 1."
+
+
 def constant_gradient() -> Function:
     """Emit components and slopes for constant contact stiffness."""
     variables = (D33, Dr33, nu)
@@ -133,7 +141,14 @@ def kinetic_gradient() -> Function:
         "Six static components over (M/V) l_e^2 k_n,ref and their slopes by D33, Dr33, SR and nu, no contact slipping.",
         (*variables, *SOFT_MOMENTS), variables,
         with_slopes(kinetic(), variables, partials=kinetic_partials()),
-        notes="T0 ... T5 are the integrals of s^(5-m) x^(2m) W^-3 (a s + c x^2)^(-4/3) over x from 0 to 1.")
+        notes=SOFT_NOTES)
+
+
+def normal_moments() -> Function:
+    """Emit the moments of the normal flexibility and their slopes, for contacts that slip against friction."""
+    return moment_slopes(
+        "soft_moments", "Moments of E W^-2/k_n times k_n,ref and their slopes by D33, Dr33 and SR.",
+        SOFT_MOMENTS, NORMAL_FLEXIBILITIES, kinetic_moments(), kinetic_partials(), SOFT_NOTES)
 
 
 def inverse_slope() -> Function:

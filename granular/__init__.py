@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from granular.array_stiffness import axial_stiffness
     from granular.branch_stiffness import stiffness_by_direction
     from granular.contacts import summarise
+    from granular.derivatives import axial_gradient, sensitivity
     from granular.elasticity import Compliance, Stiffness
     from granular.errors import GranularError
     from granular.evaluation import Evaluation, evaluate
@@ -47,6 +48,7 @@ _HOME = {
     "Plan": "granular.planning",
     "Scene": "granular.scene",
     "Stiffness": "granular.elasticity",
+    "axial_gradient": "granular.derivatives",
     "axial_stiffness": "granular.array_stiffness",
     "classify": "granular.general",
     "evaluate": "granular.evaluation",
@@ -56,6 +58,7 @@ _HOME = {
     "open_sweep": "granular.sweeps",
     "plan": "granular.planning",
     "read_curve": "granular.gradation",
+    "sensitivity": "granular.derivatives",
     "stiffness_by_direction": "granular.branch_stiffness",
     "summarise": "granular.contacts",
     "sweep": "granular.sweeps",
@@ -63,9 +66,9 @@ _HOME = {
 
 __all__ = [
     "AxialFabric", "Compliance", "Evaluation", "GeneralFabric", "GeneralLoading", "GranularError", "Hypothesis",
-    "Lognormal", "MeasuredCurve", "Plan", "Scene", "Stiffness", "axial_stiffness", "classify", "evaluate", "fabric_of",
-    "general_stiffness", "length_moments", "open_sweep", "plan", "read_curve", "stiffness_by_direction", "summarise",
-    "sweep",
+    "Lognormal", "MeasuredCurve", "Plan", "Scene", "Stiffness", "axial_gradient", "axial_stiffness", "classify",
+    "evaluate", "fabric_of", "general_stiffness", "length_moments", "open_sweep", "plan", "read_curve", "sensitivity",
+    "stiffness_by_direction", "summarise", "sweep",
 ]
 
 

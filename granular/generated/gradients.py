@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``gradients``; do not edit.
 Source: (7), (20), (21), (23), Figure 1(b) of Pan & Dong (1999).
 Domain: -1 <= D33 <= 2; -1 < Dr33 < 2; 0 <= nu <= 1/2; a, c > 0: no contact opens; with slip: mu > 0, not exactly at the onset of sliding; the emitted series: 1/9 <= c/a <= 9.
-Operations: 2811 (316 in the outputs as derived).
+Operations: 3200 (316 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -265,7 +265,7 @@ def kinematic_constant_gradient(
     C2323_nu : float [-]
     C1212_nu : float [-]
 
-    Operations: 276.
+    Operations: 252.
     """
     e0 = 1 - D33/2
     e1 = D33 + 1
@@ -283,15 +283,24 @@ def kinematic_constant_gradient(
     omega3 = e1*w1*w1
     omega3_D33 = w1*w1
     omega3_Dr33 = 2*e1*w1
-    p0 = 256*omega0/693 + 128*omega1/3465 + 16*omega2/1155 + 8*omega3/693
-    p0_D33 = 256*omega0_D33/693 + 128*omega1_D33/3465 + 16*omega2_D33/1155 + 8*omega3_D33/693
-    p0_Dr33 = 256*omega0_Dr33/693 + 128*omega1_Dr33/3465 + 16*omega2_Dr33/1155 + 8*omega3_Dr33/693
-    p1 = 128*omega0/3465 + 16*omega1/1155 + 8*omega2/693 + 2*omega3/99
-    p1_D33 = 128*omega0_D33/3465 + 16*omega1_D33/1155 + 8*omega2_D33/693 + 2*omega3_D33/99
-    p1_Dr33 = 128*omega0_Dr33/3465 + 16*omega1_Dr33/1155 + 8*omega2_Dr33/693 + 2*omega3_Dr33/99
-    p2 = 16*omega0/1155 + 8*omega1/693 + 2*omega2/99 + omega3/11
-    p2_D33 = 16*omega0_D33/1155 + 8*omega1_D33/693 + 2*omega2_D33/99 + omega3_D33/11
-    p2_Dr33 = 16*omega0_Dr33/1155 + 8*omega1_Dr33/693 + 2*omega2_Dr33/99 + omega3_Dr33/11
+    sum0 = 1280*omega0 + 128*omega1 + 48*omega2 + 40*omega3
+    sum0_D33 = 1280*omega0_D33 + 128*omega1_D33 + 48*omega2_D33 + 40*omega3_D33
+    sum0_Dr33 = 1280*omega0_Dr33 + 128*omega1_Dr33 + 48*omega2_Dr33 + 40*omega3_Dr33
+    p0 = sum0/3465
+    p0_D33 = sum0_D33/3465
+    p0_Dr33 = sum0_Dr33/3465
+    sum1 = 128*omega0 + 48*omega1 + 40*omega2 + 70*omega3
+    sum1_D33 = 128*omega0_D33 + 48*omega1_D33 + 40*omega2_D33 + 70*omega3_D33
+    sum1_Dr33 = 128*omega0_Dr33 + 48*omega1_Dr33 + 40*omega2_Dr33 + 70*omega3_Dr33
+    p1 = sum1/3465
+    p1_D33 = sum1_D33/3465
+    p1_Dr33 = sum1_Dr33/3465
+    sum2 = 48*omega0 + 40*omega1 + 70*omega2 + 315*omega3
+    sum2_D33 = 48*omega0_D33 + 40*omega1_D33 + 70*omega2_D33 + 315*omega3_D33
+    sum2_Dr33 = 48*omega0_Dr33 + 40*omega1_Dr33 + 70*omega2_Dr33 + 315*omega3_Dr33
+    p2 = sum2/3465
+    p2_D33 = sum2_D33/3465
+    p2_Dr33 = sum2_Dr33/3465
     lam = 2*(1 - nu)/(2 - nu)
     lam_nu = -2/((2 - nu)**2)
     one_minus_lam = nu/(2 - nu)
@@ -869,6 +878,183 @@ def static_slope(
     C2323 = 2/(225*eight_S2323)
     C2323_t = -2*eight_S2323_t/(225*eight_S2323*eight_S2323)
     return C1111_t, C3333_t, C1122_t, C1133_t, C2323_t, C1212_t
+
+
+def normal_moments(
+    D33: float, Dr33: float, SR: float, L0: float, L1: float, L2: float, L3: float, L4: float, L5: float, L6: float,
+) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float]:
+    """Moments of E W^2 k_n over k_n,ref and their slopes by D33, Dr33 and SR.
+
+    L0 ... L6 are the integrals of s^(6-m) x^(2m) (a s + c x^2)^(-2/3) over x from 0 to 1.
+
+    Parameters
+    ----------
+    D33 : float [-]
+        P2 coefficient of the contact-normal density.
+    Dr33 : float [-]
+        P2 coefficient of the branch-length weight.
+    SR : float [-]
+        Stress ratio, principal stress along over across axis 3.
+    L0 : float [-]
+    L1 : float [-]
+    L2 : float [-]
+    L3 : float [-]
+    L4 : float [-]
+    L5 : float [-]
+    L6 : float [-]
+
+    Returns
+    -------
+    p0 : float [-]
+        Moment of the weight with the fourth power of the sine.
+    p1 : float [-]
+        Moment of the weight with squared sine and squared cosine.
+    p2 : float [-]
+        Moment of the weight with the fourth power of the cosine.
+    p0_D33 : float [-]
+    p1_D33 : float [-]
+    p2_D33 : float [-]
+    p0_Dr33 : float [-]
+    p1_Dr33 : float [-]
+    p2_Dr33 : float [-]
+    p0_SR : float [-]
+    p1_SR : float [-]
+    p2_SR : float [-]
+
+    Operations: 217.
+    """
+    e0 = 1 - D33/2
+    e1 = D33 + 1
+    w0 = 1 - Dr33/2
+    w1 = Dr33 + 1
+    omega0 = e0*w0*w0
+    omega0_D33 = -w0*w0/2
+    omega0_Dr33 = -e0*w0
+    omega1 = w0*(2*e0*w1 + e1*w0)
+    omega1_D33 = w0*w0 - w0*w1
+    omega1_Dr33 = 2*e0*w0 - e0*w1 - e1*w0
+    omega2 = w1*(e0*w1 + 2*e1*w0)
+    omega2_D33 = 2*w0*w1 - w1*w1/2
+    omega2_Dr33 = 2*e0*w1 + 2*e1*w0 - e1*w1
+    omega3 = e1*w1*w1
+    omega3_D33 = w1*w1
+    omega3_Dr33 = 2*e1*w1
+    a = 15/((5 - D33)*(SR + 2))
+    a_D33 = a/(5 - D33)
+    a_SR = -a/(SR + 2)
+    c = 15*SR/((2*D33 + 5)*(SR + 2))
+    c_D33 = -2*c/((2*D33 + 5))
+    c_SR = 2*c/(SR*(SR + 2))
+    S0 = L0*omega0 + L1*omega1 + L2*omega2 + L3*omega3
+    S0_D33 = L0*omega0_D33 + L1*omega1_D33 + L2*omega2_D33 + L3*omega3_D33
+    S0_Dr33 = L0*omega0_Dr33 + L1*omega1_Dr33 + L2*omega2_Dr33 + L3*omega3_Dr33
+    S1 = L1*omega0 + L2*omega1 + L3*omega2 + L4*omega3
+    S1_D33 = L1*omega0_D33 + L2*omega1_D33 + L3*omega2_D33 + L4*omega3_D33
+    S1_Dr33 = L1*omega0_Dr33 + L2*omega1_Dr33 + L3*omega2_Dr33 + L4*omega3_Dr33
+    S2 = L2*omega0 + L3*omega1 + L4*omega2 + L5*omega3
+    S2_D33 = L2*omega0_D33 + L3*omega1_D33 + L4*omega2_D33 + L5*omega3_D33
+    S2_Dr33 = L2*omega0_Dr33 + L3*omega1_Dr33 + L4*omega2_Dr33 + L5*omega3_Dr33
+    S3 = L3*omega0 + L4*omega1 + L5*omega2 + L6*omega3
+    S3_D33 = L3*omega0_D33 + L4*omega1_D33 + L5*omega2_D33 + L6*omega3_D33
+    S3_Dr33 = L3*omega0_Dr33 + L4*omega1_Dr33 + L5*omega2_Dr33 + L6*omega3_Dr33
+    p0 = S0*a + S1*c
+    p0_D33 = S0*a_D33/3 + S0_D33*a + S1*c_D33/3 + S1_D33*c
+    p0_Dr33 = S0_Dr33*a + S1_Dr33*c
+    p0_SR = S0*a_SR/3 + S1*c_SR/3
+    p1 = S1*a + S2*c
+    p1_D33 = S1*a_D33/3 + S1_D33*a + S2*c_D33/3 + S2_D33*c
+    p1_Dr33 = S1_Dr33*a + S2_Dr33*c
+    p1_SR = S1*a_SR/3 + S2*c_SR/3
+    p2 = S2*a + S3*c
+    p2_D33 = S2*a_D33/3 + S2_D33*a + S3*c_D33/3 + S3_D33*c
+    p2_Dr33 = S2_Dr33*a + S3_Dr33*c
+    p2_SR = S2*a_SR/3 + S3*c_SR/3
+    return p0, p1, p2, p0_D33, p1_D33, p2_D33, p0_Dr33, p1_Dr33, p2_Dr33, p0_SR, p1_SR, p2_SR
+
+
+def soft_moments(
+    D33: float, Dr33: float, SR: float, T0: float, T1: float, T2: float, T3: float, T4: float, T5: float,
+) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float]:
+    """Moments of E W^-2/k_n times k_n,ref and their slopes by D33, Dr33 and SR.
+
+    T0 ... T5 are the integrals of s^(5-m) x^(2m) W^-3 (a s + c x^2)^(-4/3) over x from 0 to 1.
+
+    Parameters
+    ----------
+    D33 : float [-]
+        P2 coefficient of the contact-normal density.
+    Dr33 : float [-]
+        P2 coefficient of the branch-length weight.
+    SR : float [-]
+        Stress ratio, principal stress along over across axis 3.
+    T0 : float [-]
+    T1 : float [-]
+    T2 : float [-]
+    T3 : float [-]
+    T4 : float [-]
+    T5 : float [-]
+
+    Returns
+    -------
+    u0 : float [-]
+        Moment of the normal flexibility with the fourth power of the sine.
+    u1 : float [-]
+        Moment of the normal flexibility with squared sine and squared cosine.
+    u2 : float [-]
+        Moment of the normal flexibility with the fourth power of the cosine.
+    u0_D33 : float [-]
+    u1_D33 : float [-]
+    u2_D33 : float [-]
+    u0_Dr33 : float [-]
+    u1_Dr33 : float [-]
+    u2_Dr33 : float [-]
+    u0_SR : float [-]
+    u1_SR : float [-]
+    u2_SR : float [-]
+
+    Operations: 196.
+    """
+    e0 = 1 - D33/2
+    e1 = D33 + 1
+    w0 = 1 - Dr33/2
+    w1 = Dr33 + 1
+    a = 15/((5 - D33)*(SR + 2))
+    a_D33 = a/(5 - D33)
+    a_SR = -a/(SR + 2)
+    c = 15*SR/((2*D33 + 5)*(SR + 2))
+    c_D33 = -2*c/((2*D33 + 5))
+    c_SR = 2*c/(SR*(SR + 2))
+    Z0 = T0*e0 + T1*e1
+    Z0_D33 = -T0/2 + T1
+    Z1 = T1*e0 + T2*e1
+    Z1_D33 = -T1/2 + T2
+    Z2 = T2*e0 + T3*e1
+    Z2_D33 = -T2/2 + T3
+    Z3 = T3*e0 + T4*e1
+    Z3_D33 = -T3/2 + T4
+    Z4 = T4*e0 + T5*e1
+    Z4_D33 = -T4/2 + T5
+    Y0 = Z0*a + Z1*c
+    Y0_D33 = Z0_D33*a + Z1_D33*c
+    Y1 = Z1*a + Z2*c
+    Y1_D33 = Z1_D33*a + Z2_D33*c
+    Y2 = Z2*a + Z3*c
+    Y2_D33 = Z2_D33*a + Z3_D33*c
+    Y3 = Z3*a + Z4*c
+    Y3_D33 = Z3_D33*a + Z4_D33*c
+    u0 = Y0*w0 + Y1*w1
+    u0_D33 = Y0_D33*w0 + Y1_D33*w1 + a_D33*(-Z0*w0/3 - Z1*w1/3) + c_D33*(-Z1*w0/3 - Z2*w1/3)
+    u0_Dr33 = Y0 - 2*Y1
+    u0_SR = a_SR*(-Z0*w0/3 - Z1*w1/3) + c_SR*(-Z1*w0/3 - Z2*w1/3)
+    u1 = Y1*w0 + Y2*w1
+    u1_D33 = Y1_D33*w0 + Y2_D33*w1 + a_D33*(-Z1*w0/3 - Z2*w1/3) + c_D33*(-Z2*w0/3 - Z3*w1/3)
+    u1_Dr33 = Y1 - 2*Y2
+    u1_SR = a_SR*(-Z1*w0/3 - Z2*w1/3) + c_SR*(-Z2*w0/3 - Z3*w1/3)
+    u2 = Y2*w0 + Y3*w1
+    u2_D33 = Y2_D33*w0 + Y3_D33*w1 + a_D33*(-Z2*w0/3 - Z3*w1/3) + c_D33*(-Z3*w0/3 - Z4*w1/3)
+    u2_Dr33 = Y2 - 2*Y3
+    u2_SR = a_SR*(-Z2*w0/3 - Z3*w1/3) + c_SR*(-Z3*w0/3 - Z4*w1/3)
+    return u0, u1, u2, u0_D33, u1_D33, u2_D33, u0_Dr33, u1_Dr33, u2_Dr33, u0_SR, u1_SR, u2_SR
 
 
 def shear_slopes(

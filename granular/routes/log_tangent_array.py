@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from granular.routes.log_tangent import WIDEST
-from granular.routes.log_tangent_tables import ROOM, STEADY, STEP, STEPS, first_node, hyperbolic, one_sided
+from granular.routes.log_tangent_tables import NEAREST, ROOM, STEADY, STEP, STEPS, first_node, hyperbolic, one_sided
 from granular.routes.slip_geometry_array import Geometry
 from granular.routes.windows import EQUATOR, POLE
 
@@ -119,7 +119,7 @@ def sticking(geometry: Geometry, narrow: NDArray[np.bool_], low: Array, high: Ar
 
 
 def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, rho: Array, places: Array, *,
-           outward: bool) -> Arc:
+           outward: bool, nearest: float = NEAREST) -> Arc:
     """Sticking contacts beyond the sliding range (towards the equator), or before it (towards the pole).
 
     Parameters
@@ -136,6 +136,8 @@ def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array,
         log(tan(beta)) of the singularities [-].
     outward : bool
         True towards the equator.
+    nearest : float
+        How near nodes come to the edge, as in ``log_tangent_tables`` [-].
 
     Returns
     -------
@@ -153,7 +155,7 @@ def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array,
     start = _start_after(np.arcsinh(_singular_sine(psi + np.maximum(beyond.max(axis=0), 0.0)) / scale))
     last = _reached(np.arccosh(np.maximum(1.0, np.sinh(np.minimum(psi + np.abs(end - log_edge), 1300.0) / 2) / scale)),
                     start)
-    table, row = _tables(one_sided, start)
+    table, row = _tables(_near_edge(nearest), start)
 
     def nodes(block: Index, numbers: Index) -> tuple[Array, Array, Array, Array]:
         grown, pace = table[:, row[block, None], np.minimum(numbers, table.shape[2] - 1)]
@@ -162,7 +164,8 @@ def beside(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array,
         edges = at[block, None]
         return (edges * growth if outward else edges / growth), rate * STEP, chi, gamma
 
-    return Arc(index, np.zeros(index.shape, dtype=np.intp), np.ceil(last * STEPS).astype(np.intp) - first_node(), nodes)
+    count = np.ceil(last * STEPS).astype(np.intp) - first_node(nearest=nearest)
+    return Arc(index, np.zeros(index.shape, dtype=np.intp), count, nodes)
 
 
 def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array, places: Array, *,
@@ -251,6 +254,12 @@ def _tables(make: Callable[[int], tuple[tuple[float, float], ...]], start: Index
         table[:, place, :column.shape[1]] = column
         table[0, place, column.shape[1]:] = column[0, -1]
     return table, row
+
+
+@lru_cache(maxsize=8)
+def _near_edge(nearest: float) -> Callable[[int], tuple[tuple[float, float], ...]]:
+    """Maker of the one-sided tables that come so near; the same object each time, so that tables are kept."""
+    return partial(one_sided, nearest=nearest)
 
 
 @lru_cache(maxsize=512)

@@ -79,6 +79,33 @@ def forces(D33: Array, stress_ratio: Array) -> tuple[Array, Array]:
     return share / (5 - D33), share * stress_ratio / (5 + 2 * D33)
 
 
+def force_difference(D33: Array, stress_ratio: Array) -> Array:
+    """Normal force at the pole less that at the equator, with no digit lost where they are close.
+
+    Parameters
+    ----------
+    D33, stress_ratio : (n,) array
+        P2 coefficient of the contact-normal density, and sigma33/sigma11 > 0 [-].
+
+    Returns
+    -------
+    (n,) array
+        c - a over the normal force of the isotropic assembly [-], to a few roundings of itself.
+
+    Notes
+    -----
+    Source: eq. (23).
+
+    Examples
+    --------
+    >>> force_difference(np.array([0.0]), np.array([4.0])).tolist()
+    [1.5]
+    """
+    ratio, one = _scaled(stress_ratio)
+    apart: Array = folded_sum(_difference(D33, ratio, one), 3)
+    return 15 * apart / ((2 * one + ratio) * (5 - D33) * (5 + 2 * D33))
+
+
 def slip_geometry(D33: Array, stress_ratio: Array, friction: Array) -> Geometry:
     """Find where contacts stick and slide.
 

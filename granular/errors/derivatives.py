@@ -1,0 +1,19 @@
+"""Slopes that cannot be computed, and fits that cannot be made."""
+
+from __future__ import annotations
+
+from granular.errors.refusal import GranularError
+
+
+class SlopeInfinite(GranularError):
+    """Contacts are exactly at the onset of sliding, where the stiffness has an infinite slope."""
+
+    code = "G-SLP-01"
+    title = "An infinite slope"
+
+
+class SlopesNotBuilt(GranularError):
+    """A scene holds something by which slopes are not derived."""
+
+    code = "G-SLP-02"
+    title = "A scene without slopes"
