@@ -170,15 +170,22 @@ def run_sweep(sweep: Sweep, *, out: Path | None = None, invalid: str = ERROR, wo
     -----
     Accuracy and source: :func:`sweep`.
     """
-    from granular.sweeps.workers import computed, refuse_inside_a_worker
+    from granular.sweeps.workers import reached, refuse_inside_a_worker
 
     refuse_inside_a_worker()
     require_libraries()
     chosen(invalid, (ERROR, NAN), name="invalid")
     _require_workers(workers, scheduler)
     sweep.require_size(large=large)
-    points, keep_going = sweep.points, invalid == NAN
-    chunks = chunks_of(sweep.shape, sweep.chunk_shape)
+    with reached(scheduler) as client:
+        return _run(sweep, out, keep_going=invalid == NAN, workers=workers, client=client, advanced=advanced)
+
+
+def _run(sweep: Sweep, out: Path | None, *, keep_going: bool, workers: int | None, client: Any,
+         advanced: Advanced) -> Ran:
+    from granular.sweeps.workers import computed
+
+    points, chunks = sweep.points, chunks_of(sweep.shape, sweep.chunk_shape)
     if sweep.engine == ARRAYS:
         first = SceneBuilder(points.base).scene(points.at(0))
         require_arrays(first, [axis.name for axis in (*sweep.grid, *sweep.together)], sweep.outputs)
@@ -189,7 +196,7 @@ def run_sweep(sweep: Sweep, *, out: Path | None = None, invalid: str = ERROR, wo
         tasks = {number: partial(Task, points.part(here), sweep.outputs, sweep.engine, sweep.route, keep_going)
                  for number, here in enumerate(chunks) if number not in target.finished}
         advanced("Computing", sum(points.part(chunks[number]).count for number in target.finished), points.count)
-        for number, block in computed(tasks, workers=workers, scheduler=scheduler):
+        for number, block in computed(tasks, workers=workers, client=client):
             target.put(number, block)
             advanced("Computing", points.part(chunks[number]).count, points.count)
     finally:

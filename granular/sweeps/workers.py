@@ -9,9 +9,11 @@ import logging
 import multiprocessing
 import os
 import signal
+import socket
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
+from multiprocessing import resource_tracker
 from typing import Any
 
 from granular.errors import SchedulerUnreachable, WorkersUnusable
@@ -31,7 +33,7 @@ Tasks = Mapping[int, Callable[[], Task]]
 """Number of a chunk -> what makes its task; made only when it is given out."""
 
 
-def computed(tasks: Tasks, *, workers: int | None, scheduler: str | None) -> Iterator[tuple[int, Block]]:
+def computed(tasks: Tasks, *, workers: int | None, client: Any = None) -> Iterator[tuple[int, Block]]:
     """Compute chunks, in the order in which they are finished.
 
     Parameters
@@ -40,8 +42,8 @@ def computed(tasks: Tasks, *, workers: int | None, scheduler: str | None) -> Ite
         The chunks to compute.
     workers : int or None
         Processes on this machine; by default this one, and all cores where enough is left to do.
-    scheduler : str or None
-        Address of a dask scheduler whose workers compute in place of this machine.
+    client : distributed.Client, optional
+        Whose workers compute in place of this machine.
 
     Yields
     ------
@@ -58,17 +60,15 @@ def computed(tasks: Tasks, *, workers: int | None, scheduler: str | None) -> Ite
     Source: dask.distributed.
     """
     left = dict(tasks)
-    if scheduler is not None:
-        if left:
-            with _remote(scheduler) as client:
-                yield from _on(client, left)
+    if client is not None:
+        yield from _on(client, left)
         return
     if workers is None:
         yield from _here(left, until_worth=min(_cores(), len(left)) > 1)
     processes = min(_cores() if workers is None else workers, len(left))
     if processes > 1:
-        with _local(processes) as client:
-            yield from _on(client, left)
+        with _local(processes) as local:
+            yield from _on(local, left)
     else:
         yield from _here(left)
 
@@ -118,7 +118,7 @@ def _on(client: Any, left: dict[int, Callable[[], Task]]) -> Iterator[tuple[int,
         for future in running:
             block, other = future.result()
             number = under_way.pop(future)
-            _require_same_bits(other)
+            require_same_bits(other)
             give_out()
             yield number, block
     except (CancelledError, KilledWorker, CommClosedError, TimeoutError, ImportError, OSError) as error:
@@ -133,7 +133,23 @@ def _answer(task: Task) -> tuple[Block, dict[str, str]]:
     return task.compute(), fingerprint()
 
 
-def _require_same_bits(other: Mapping[str, str]) -> None:
+def require_same_bits(other: Mapping[str, str]) -> None:
+    """Refuse what another process computed where it might have computed other bits.
+
+    Parameters
+    ----------
+    other : dict
+        Its fingerprint.
+
+    Raises
+    ------
+    WorkersUnusable
+        It differs from that of this process.
+
+    Notes
+    -----
+    Source: :func:`granular.sweeps.provenance.fingerprint`.
+    """
     for name, value in fingerprint().items():
         if other.get(name) != value:
             raise WorkersUnusable(f"a worker has {name} = {other.get(name)!r}, and here it is {value!r}",
@@ -163,21 +179,56 @@ def _local(processes: int) -> Iterator[Any]:
 
 
 @contextmanager
-def _remote(address: str) -> Iterator[Any]:
-    """A client of a scheduler that answers and has workers."""
+def reached(address: str | None) -> Iterator[Any]:
+    """A client of a scheduler that answers and has workers; None where none is named.
+
+    Parameters
+    ----------
+    address : str or None
+        Address of the scheduler.
+
+    Yields
+    ------
+    distributed.Client or None
+        Connected as long as the context lasts.
+
+    Raises
+    ------
+    SchedulerUnreachable
+        Nothing answers there, or it has no workers.
+
+    Notes
+    -----
+    Source: dask.distributed.
+    """
+    if address is None:
+        yield None
+        return
     from dask.distributed import Client
 
     with ExitStack() as stack:
         stack.enter_context(_quiet())
         try:
+            _knock(address)
             client = stack.enter_context(Client(address, timeout=PATIENCE))
         except (OSError, TimeoutError, ValueError, RuntimeError) as error:
-            raise _unreachable(address, " ".join(str(error).split())[:120]) from None
+            reason = (error.strerror if isinstance(error, OSError) else None) or " ".join(str(error).split())
+            raise _unreachable(address, reason[:120].lower()) from None
         with suppress(TimeoutError):
             client.wait_for_workers(1, timeout=PATIENCE)
         if not client.nthreads():
             raise _unreachable(address, "it has no workers")
         yield client
+
+
+def _knock(address: str) -> None:
+    """Fail at once where nothing listens; dask would go on asking until its time is up."""
+    from distributed.comm.addressing import parse_address, parse_host_port
+
+    protocol, place = parse_address(address)
+    if protocol in ("tcp", "tls"):
+        with socket.create_connection(parse_host_port(place), timeout=PATIENCE):
+            pass
 
 
 def _unreachable(address: str, reason: str) -> SchedulerUnreachable:
@@ -208,6 +259,7 @@ def _without_interrupt() -> Iterator[None]:
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
+    resource_tracker.ensure_running()  # it unblocks the signal when it is started, and every process starts it
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
