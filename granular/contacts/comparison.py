@@ -199,7 +199,8 @@ def compare_packing(contacts: Path, meta: Path) -> ComparedPacking:
     stiffness |= {name: _averaged(matrix) for name, matrix in measured.items() if matrix is not None}
     return ComparedPacking(
         name=_name(contacts), made_by=_said(known, "code"), preparation=_said(known.get("extra"), "prep"),
-        contacts=summary.contacts, grains=known["N_grains"], void_ratio=known["e"], coordination_number=2 * summary.contacts / known["N_grains"], mean_stress=mean,
+        contacts=summary.contacts, grains=known["N_grains"], void_ratio=known["e"],
+        coordination_number=2 * summary.contacts / known["N_grains"], mean_stress=mean,
         stress_ratio=ratio, D33=fabric.D33, Dr33=fabric.Dr33, D33_error=summary.doubt_of(NORMALS),
         D33_of_branches=7.5 * (float(summary.branches[2, 2]) - 1 / 3), collinear=summary.is_collinear,
         length_ratio=sizes, stiffer_where_longer=summary.stiffer_where_longer, stiffness=stiffness,

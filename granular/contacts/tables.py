@@ -6,6 +6,7 @@ import csv
 import math
 from collections.abc import Iterator, Sequence
 from itertools import islice
+from operator import methodcaller
 from typing import TYPE_CHECKING, Protocol
 
 from granular.errors import ContactFileUnusable
@@ -193,15 +194,9 @@ def parsed(lines: Sequence[str], places: Sequence[int], columns: Sequence[str], 
     """
     import numpy as np
 
-    if separator is not None and any('"' in line for line in lines):
+    if separator is not None and '"' in "".join(lines):
         lines = [separator.join(cell.replace(separator, " ") for cell in cells_of(line, separator)) for line in lines]
-    for number, line in enumerate(lines, start=first_line):
-        cells = line.count(separator) + 1 if separator is not None else len(line.split())
-        if cells != len(columns) and line.strip():
-            raise ContactFileUnusable(
-                f"{file}, line {number} has {cells} column{'' if cells == 1 else 's'}",
-                allowed=f"the header names {len(columns)}",
-                remedy="The file may have been cut off while it was written: copy or export it again.")
+    _refuse_uneven(lines, len(columns), separator, file, first_line)
     if not any(line.strip() for line in lines):
         return np.empty((len(places), 0))
     try:
@@ -210,6 +205,19 @@ def parsed(lines: Sequence[str], places: Sequence[int], columns: Sequence[str], 
         rows = np.array([[_number(line, place, columns, separator, f"{file}, line {number}") for place in places]
                          for number, line in enumerate(lines, start=first_line) if line.strip()])
     return np.ascontiguousarray(rows.T)
+
+
+def _refuse_uneven(lines: Sequence[str], columns: int, separator: str | None, file: str, first_line: int) -> None:
+    """Refuse rows of another length than the header; most often all are alike, which is seen at a glance."""
+    if separator is not None and set(map(methodcaller("count", separator), lines)) == {columns - 1}:
+        return
+    for number, line in enumerate(lines, start=first_line):
+        cells = line.count(separator) + 1 if separator is not None else len(line.split())
+        if cells != columns and line.strip():
+            raise ContactFileUnusable(
+                f"{file}, line {number} has {cells} column{'' if cells == 1 else 's'}",
+                allowed=f"the header names {columns}",
+                remedy="The file may have been cut off while it was written: copy or export it again.")
 
 
 def _number(line: str, place: int, columns: Sequence[str], separator: str | None, where: str) -> float:

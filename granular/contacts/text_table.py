@@ -63,7 +63,7 @@ class TextTable:
             for _ in islice(lines, line):
                 pass
             while chunk := list(islice(lines, ROWS)):
-                rows = [text if is_row(text) else "" for text in chunk]
+                rows = [text if is_row(text) else "" for text in chunk] if "#" in "".join(chunk) else chunk
                 yield parsed(rows, places, self.columns, separator=self._separator, file=self._name,
                              first_line=line + 1)
                 line += len(chunk)
