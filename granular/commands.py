@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from granular.errors import BadOption, OutputUnwritable
-from granular.routes.catalogue import ROUTES
+from granular.routes.catalogue import ROUTES, WITHOUT_AXIS
 from granular.units import shown
 
 if TYPE_CHECKING:
@@ -31,7 +31,8 @@ app = typer.Typer(
 SceneFile = Annotated[str, typer.Argument(metavar="SCENE", help="A scene file (TOML).")]
 Accuracy = Annotated[str | None, typer.Option(
     "--rtol", metavar="R", help="Wanted relative accuracy of every component, such as 1e-12.")]
-RouteName = Annotated[str, typer.Option("--route", metavar="NAME", help=f"auto, {', '.join(ROUTES)}.")]
+RouteName = Annotated[str, typer.Option(
+    "--route", metavar="NAME", help=f"auto, {', '.join(ROUTES)}; {', '.join(WITHOUT_AXIS)} without an axis.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 

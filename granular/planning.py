@@ -3,25 +3,29 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal
 
+from granular.axial_scene import AXIS_3, Axis
 from granular.effects.selection import Selection, model_of, select
 from granular.errors import ComplianceInfinite, ResultOutOfRange, RouteOutOfDomain, WrongType
-from granular.fabric import AxialFabric
 from granular.fields import Number, chosen
 from granular.gradation import length_moments
 from granular.hypothesis import Hypothesis
-from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, Route
-from granular.routes.choice import Choice, choose
+from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES, WITHOUT_AXIS
+from granular.routes.choice import Choice, choose_for
 from granular.routes.result import Promise
+from granular.turning import NOT_TURNED, Turning, turning_of
 from granular.units import shown
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
+    from granular.fabric import AxialFabric
+    from granular.general.routes import GeneralRoute
     from granular.gradation import LengthMoments, SizeDistribution
     from granular.loading import Loading
+    from granular.routes.catalogue import Route
     from granular.routes.work import Work
     from granular.scene import Scene
 
@@ -59,10 +63,6 @@ class Plan:
         Effect -> why it is simulated.
     effects_not_called_for : dict
         Effect -> why it is not.
-    fabric : AxialFabric
-        What the simulated effects leave of the scene's fabric [-].
-    loading : Loading or None
-        What the stress does to the contacts; None when all contacts are taken as equally stiff.
     sizes : SizeDistribution or None
         Sizes of the grains; None when all are taken as equally large.
     lengths : LengthMoments or None
@@ -70,15 +70,20 @@ class Plan:
     poisson_ratio : float
         Poisson ratio of the solid [-].
     evaluations : int
-        Predicted number of directions in which the integrand is evaluated [-].
+        Predicted number of directions in which the integrand is evaluated [-]; about where ``error_is`` an estimate.
     relative_error : float
-        Predicted bound for the worst component, relative to that component, with what was left out [-].
+        Predicted error of the worst component, relative to that component about axis 3, or in any other frame to the
+        largest entry of the Mandel matrix; with what was left out [-].
     rtol : float or None
-        Wanted relative accuracy [-].
+        Wanted relative accuracy in the same sense [-].
     left_out_error : float
-        Share of ``relative_error`` that comes from effects left out for ``rtol`` [-].
+        Share of ``relative_error`` that comes from effects left out for ``rtol`` [-]; before turning.
     route_error, scaling_error : float
-        Shares of it that come from the route and from the step to pascals [-].
+        Shares of it that come from the route and from the step to pascals [-]; before turning.
+    axis : tuple of 3 float or None
+        The axis of symmetry [-], a unit vector; None without one.
+    turning : Turning
+        What turning to axis 3 and back makes of the error.
     selection : Selection
         How the effects were chosen.
     asked_route : str
@@ -93,8 +98,6 @@ class Plan:
     effects_simulated: tuple[str, ...]
     called_for: dict[str, str]
     effects_not_called_for: dict[str, str]
-    fabric: AxialFabric
-    loading: Loading | None
     sizes: SizeDistribution | None
     lengths: LengthMoments | None
     poisson_ratio: float
@@ -104,9 +107,31 @@ class Plan:
     left_out_error: float
     route_error: float
     scaling_error: float
+    axis: Axis | None
+    turning: Turning
     selection: Selection
     asked_route: str
     choice: Choice
+
+    @property
+    def fabric(self) -> AxialFabric:
+        """What the simulated effects leave of the fabric, about the axis of the scene [-]; refused without one."""
+        return self.selection.fabric
+
+    @property
+    def loading(self) -> Loading | None:
+        """What the stress does to the contacts, about the axis; None when all are taken as equally stiff."""
+        return self.selection.loading
+
+    @property
+    def error_is(self) -> Literal["bound", "estimate"]:
+        """Whether the error is proved or estimated."""
+        return self.choice.promise.error_is
+
+    @property
+    def of_each_component(self) -> bool:
+        """Whether errors are relative to each component, rather than to the largest entry of the Mandel matrix."""
+        return self.axis == AXIS_3
 
     @property
     def work(self) -> Work | None:
@@ -116,12 +141,15 @@ class Plan:
     @property
     def route_rtol(self) -> float | None:
         """Relative accuracy that the route is asked for [-]; None when none is wanted."""
-        return route_accuracy(remaining(self.rtol, self.left_out_error), self.lengths,
-                              keeps_axis=ROUTES[self.route].keeps_axis)
+        return route_accuracy(remaining(self.turning.inside(self.rtol), self.left_out_error), self.lengths,
+                              keeps_axis=self.choice.route.keeps_axis)
 
     @property
     def bounds(self) -> dict[str, float]:
-        """Effect that the scene calls for -> how much leaving it out changes any component, at most [-]."""
+        """Effect that the scene calls for -> how much leaving it out changes any component, at most [-].
+
+        Relative to each component about the axis, or without one to the largest entry of the Mandel matrix.
+        """
         return self.selection.bounds
 
     @property
@@ -176,36 +204,45 @@ def plan(scene: Scene, *, rtol: float | None = None, route: str = "auto") -> Pla
         raise WrongType(f"scene = {shown(scene)}", allowed="allowed a Scene",
                         remedy="Read one with Scene.from_toml(path), or build one with Scene(...).")
     wanted = scene.model.rtol if rtol is None else WANTED.read(rtol, "rtol")
-    name = chosen(route, ("auto", *ROUTES), name="route")
-    selection = select(scene, rtol=wanted)
+    name = chosen(route, ("auto", *ROUTES, *WITHOUT_AXIS), name="route")
+    turning = NOT_TURNED if scene.axial or scene.axis is None else _turning(scene)
+    inside = turning.inside(wanted)
+    _require_room(wanted, inside, turning)
+    selection = select(scene, rtol=inside)
     if selection.left_out_error:
         try:
-            return _planned(scene, selection, wanted, name)
+            return _planned(scene, selection, wanted, name, turning)
         except RouteOutOfDomain:  # the rest is too little for the route, or its promise holds for the whole scene only
             selection = select(scene)
-    return _planned(scene, selection, wanted, name)
+    return _planned(scene, selection, wanted, name, turning)
 
 
-def _planned(scene: Scene, selection: Selection, rtol: float | None, name: str) -> Plan:
-    fabric, hypothesis, left_out = selection.fabric, scene.model.hypothesis, selection.left_out_error
+def _turning(scene: Scene) -> Turning:
+    about = scene.about_axis
+    return turning_of(replace(about, loading=about.under(scene.grains.friction)))
+
+
+def _planned(scene: Scene, selection: Selection, rtol: float | None, name: str, turning: Turning) -> Plan:
+    hypothesis, left_out = scene.model.hypothesis, selection.left_out_error
     if hypothesis is Hypothesis.STATIC:
         _require_finite_compliance(selection)
     lengths = None if selection.sizes is None else length_moments(selection.sizes)
     scaling = scaling_error(lengths)
-    wanted = remaining(rtol, left_out)
-    left = route_accuracy(wanted, lengths, keeps_axis=name == "auto" or ROUTES[name].keeps_axis)
+    wanted = remaining(turning.inside(rtol), left_out)
+    left = route_accuracy(wanted, lengths, keeps_axis=name not in ROUTES or scene.axis is None
+                          or ROUTES[name].keeps_axis)
     _require_reachable(wanted, left, scaling)
-    choice = choose(name, fabric, hypothesis, selection.loading, left)
+    choice = choose_for(name, selection.model, left)
     promise = choice.promise
-    _require_accuracy(choice.route, promise, wanted, left, scaling)
+    _require_accuracy(choice.route, promise, rtol, left, scaling, turning)
     return Plan(
         hypothesis=hypothesis, route=choice.route.name, route_reason=choice.reason,
         effects_simulated=tuple(selection.simulated), called_for=selection.simulated,
-        effects_not_called_for=selection.not_called_for, fabric=fabric, loading=selection.loading,
-        sizes=selection.sizes, lengths=lengths, poisson_ratio=scene.grains.poisson_ratio,
-        evaluations=promise.evaluations, relative_error=with_left_out(promise.relative_error + scaling, left_out),
+        effects_not_called_for=selection.not_called_for, sizes=selection.sizes, lengths=lengths,
+        poisson_ratio=scene.grains.poisson_ratio, evaluations=promise.evaluations,
+        relative_error=turning.outside(with_left_out(promise.relative_error + scaling, left_out)),
         rtol=rtol, left_out_error=left_out, route_error=promise.relative_error, scaling_error=scaling,
-        selection=selection, asked_route=name, choice=choice)
+        axis=scene.axis, turning=turning, selection=selection, asked_route=name, choice=choice)
 
 
 def _cost(decided: Plan, effect: str) -> tuple[int, int] | None:
@@ -222,10 +259,8 @@ def _evaluations(decided: Plan, effects: Collection[str]) -> int:
     if set(effects) == set(decided.effects_simulated):
         return decided.evaluations
     model = model_of(decided.selection.scene, effects)
-    if model.static and model.loading is not None:
-        model.loading.require_finite_compliance(model.fabric.D33)
-    return choose(decided.asked_route, model.fabric, model.hypothesis, model.loading,
-                  decided.route_rtol).promise.evaluations
+    model.require_finite_compliance()
+    return choose_for(decided.asked_route, model, decided.route_rtol).promise.evaluations
 
 
 def remaining(rtol: float | None, left_out_error: float) -> float | None:
@@ -327,18 +362,25 @@ def route_accuracy(rtol: float | None, lengths: LengthMoments | None = None, *,
 
 def _require_finite_compliance(selection: Selection) -> None:
     """Refuse contacts that slide or have opened, and say which list of effects is left without them."""
-    if selection.loading is None:
-        return
     try:
-        selection.loading.require_finite_compliance(selection.fabric.D33)
+        selection.model.require_finite_compliance()
     except ComplianceInfinite as refusal:
-        dropped = ("kinetic", "slip", "opening") if selection.loading.opens() else ("slip",)
+        dropped = ("kinetic", "slip", "opening") if selection.model.opens else ("slip",)
         keep = ", ".join(f'"{name}"' for name in selection.simulated if name not in dropped)
         without = " and ".join(name for name in dropped if name in selection.simulated)
         raise ComplianceInfinite(
             refusal.found, allowed=refusal.allowed,
             remedy=f'Write effects = [{keep}] under [model] to leave {without} out, or use hypothesis = "kinematic".'
         ) from None
+
+
+def _require_room(rtol: float | None, inside: float | None, turning: Turning) -> None:
+    """Refuse what turning alone uses up."""
+    if inside is None or inside > 0:
+        return
+    raise RouteOutOfDomain(f"rtol = {rtol!r} for a scene whose axis was found",
+                           allowed=f"allowed rtol > {turning.added:.1e}, for turning it to axis 3 and back may cost "
+                           "that much of the largest component", remedy=f"Ask for rtol = {2 * turning.added:.1e}.")
 
 
 def _require_reachable(rtol: float | None, left: float | None, scaling: float) -> None:
@@ -350,8 +392,8 @@ def _require_reachable(rtol: float | None, left: float | None, scaling: float) -
                            f"{scaling:.2e}", remedy="Ask for less.")
 
 
-def _require_accuracy(route: Route, promise: Promise, rtol: float | None, wanted: float | None,
-                      scaling: float) -> None:
+def _require_accuracy(route: Route | GeneralRoute, promise: Promise, rtol: float | None, wanted: float | None,
+                      scaling: float, turning: Turning) -> None:
     if wanted is None or wanted >= promise.relative_error:
         return
     if math.isinf(promise.relative_error):
@@ -360,8 +402,8 @@ def _require_accuracy(route: Route, promise: Promise, rtol: float | None, wanted
                                remedy=f"Leave rtol out, or use route {AUTO[-1]}.")
     total = promise.relative_error + scaling
     share = 1.0 if route.keeps_axis or total <= COARSE else COARSE_SHARE
-    closest = f"{total / share * 1.005:.2e}"  # rounded up: it will be granted
-    better = "" if route.name == MOST_ACCURATE else f", or use route {MOST_ACCURATE}"
+    closest = f"{turning.outside(total / share) * 1.005:.2e}"  # rounded up: it will be granted
+    better = f", or use route {MOST_ACCURATE}" if route.name != MOST_ACCURATE and promise.error_is == "bound" else ""
     raise RouteOutOfDomain(f"rtol = {rtol!r} by route {route.name}",
                            allowed=f"allowed rtol >= {closest} for this fabric",
                            remedy=f"Ask for rtol = {closest}{better}.")

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import asdict, replace
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from granular.anisotropy import BranchAnisotropy, ContactNormals
-from granular.errors import ConflictingKeys, MissingKey, ValueOutOfRange, found_at
+from granular.axial_scene import AXIS_3, AxialScene, Axis
+from granular.errors import AxisNeeded, ConflictingKeys, MissingKey, ValueOutOfRange, found_at
 from granular.fabric import FLATTEST, AxialFabric
 from granular.fields import Number, Text, Word, WordsOrAuto
 from granular.gradation import SIZE, SPREAD, Lognormal, SizeDistribution, read_curve
@@ -18,7 +19,11 @@ from granular.hypothesis import Hypothesis
 from granular.number_of_contacts import DEFAULT_RELATION, CoordinationRelation
 from granular.stress import Stress
 from granular.table import Table
+from granular.tensors import ZERO, Tensor, Tensor4
 from granular.units import ANGLE, DENSITY, PRESSURE
+
+if TYPE_CHECKING:
+    from granular.general import GeneralFabric, GeneralLoading
 
 __all__ = ["BranchAnisotropy", "Branches", "ContactNormals", "CoordinationLine", "Gradation", "Grains", "Model",
            "Packing", "Scene", "Shape", "Stress"]
@@ -257,6 +262,16 @@ class Scene(Table):
                                   remedy='Delete spin, or write hypothesis = "kinematic".')
         return self
 
+    @model_validator(mode="after")
+    def _shape_about_axis_3(self) -> Self:
+        if self.shape is not None and not (self.axial or self._fabric_about_axis_3.collinear):
+            named = "packing.contact_normals" if self.stress.axial else "stress"
+            raise AxisNeeded(f"shape with {named}.tensor",
+                             allowed="allowed a shape only with tensors diag(t11, t11, t33), for spheroids lie along "
+                             "axis 3 and no formula is derived for others",
+                             remedy="Turn the tensors until axis 3 is the axis of everything, or delete [shape].")
+        return self
+
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Self:
         """Read a scene file.
@@ -302,16 +317,82 @@ class Scene(Table):
         return schema_of(cls)
 
     @property
+    def axial(self) -> bool:
+        """Whether all that the scene says about directions is symmetric about axis 3, as far as it is typed."""
+        normals, anisotropy = self.packing.contact_normals, self._anisotropy
+        return (self.stress.axial and (normals is None or normals.axial)
+                and (anisotropy is None or anisotropy.axial))
+
+    @property
+    def axis(self) -> Axis | None:
+        """The axis that fabric and stress share [-], a unit vector; axis 3 without any anisotropy, None without one."""
+        about = self._about()
+        return None if about is None else about.axis
+
+    @property
+    def about_axis(self) -> AxialScene:
+        """Fabric and stress about the axis that they share, simulated or not; refused without one."""
+        about = self._about()
+        if about is None:
+            raise AxisNeeded("a scene whose fabric and stress share no axis",
+                             allowed="allowed only tensors with one axis of symmetry in common there",
+                             remedy="Use what takes any tensors: run, plan, general_fabric, general_loading.")
+        return about
+
+    @property
     def fabric(self) -> AxialFabric:
-        """Everything that the scene says about contact normals and branches, simulated or not [-]."""
-        normals = self.packing.contact_normals
-        D33, D3333 = normals.coefficients if normals is not None else (0.0, 0.0)
-        anisotropy = self.branches.anisotropy if self.branches is not None else None
-        Dr33 = anisotropy.coefficient if anisotropy is not None else 0.0
+        """Everything that the scene says about contact normals and branches about axis 3, simulated or not [-].
+
+        Refused where that is not all: use :attr:`about_axis` for another axis, :attr:`general_fabric` without one.
+        """
+        if self.axial:
+            return self._fabric_about_axis_3
+        about = self.about_axis
+        if about.axis != AXIS_3:
+            raise AxisNeeded(f"a scene symmetric about n = ({', '.join(f'{value:.4g}' for value in about.axis)})",
+                             allowed="allowed only axis 3 there", remedy="Turn the tensors until axis 3 is the axis.")
+        return about.fabric
+
+    @property
+    def general_fabric(self) -> GeneralFabric:
+        """Everything that the scene says about contact normals and branches, as tensors, but for a shape [-]."""
+        from granular.scene_tensors import general_fabric
+
+        return general_fabric(*self._fabric_tensors)
+
+    def general_loading(self, friction: float | None) -> GeneralLoading:
+        """Stress tensor up to a positive factor, and friction [-], as the contacts feel them."""
+        from granular.general import GeneralLoading
+
+        return GeneralLoading(self.stress.matrix, friction)
+
+    @property
+    def _anisotropy(self) -> BranchAnisotropy | None:
+        return None if self.branches is None else self.branches.anisotropy
+
+    @property
+    def _fabric_tensors(self) -> tuple[Tensor, Tensor4 | None, Tensor | None]:
+        normals, anisotropy = self.packing.contact_normals, self._anisotropy
+        return (ZERO if normals is None else normals.second, None if normals is None else normals.fourth,
+                None if anisotropy is None else anisotropy.second)
+
+    @property
+    def _fabric_about_axis_3(self) -> AxialFabric:
+        """What is said about axis 3; tensors without it are left out."""
+        normals, anisotropy = self.packing.contact_normals, self._anisotropy
+        D33, D3333 = normals.coefficients if normals is not None and normals.axial else (0.0, 0.0)
+        Dr33 = anisotropy.coefficient if anisotropy is not None and anisotropy.axial else 0.0
         if self.shape is None:
             return AxialFabric(D33=D33, D3333=D3333, Dr33=Dr33)
         return AxialFabric(D33=D33, D3333=D3333, aspect_ratio=self.shape.aspect_ratio,
                            free_spin=self.shape.spin == "relaxed")
+
+    def _about(self) -> AxialScene | None:
+        if self.axial:
+            return AxialScene(self._fabric_about_axis_3, self.stress.loading(None), AXIS_3, recognised=False)
+        from granular.scene_tensors import recognised
+
+        return recognised(*self._fabric_tensors, self.stress.matrix)
 
     @property
     def length_ratio(self) -> float:

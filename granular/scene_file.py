@@ -14,7 +14,7 @@ from granular.units import shown_path
 
 MOST_DOTS = 100
 """Most dots in one line that is no comment. Dotted keys cost the parser the square of their length, and the longest
-line of a scene, a stress tensor of nine numbers, has nine dots."""
+line of a scene, a fabric of nine and 81 numbers, has ninety dots."""
 
 
 def read_toml(path: str | os.PathLike[str]) -> dict[str, Any]:

@@ -32,7 +32,7 @@ def schema_of(model: type[BaseModel]) -> dict[str, Any]:
     definitions = schema["$defs"]
     definitions["Grains"]["not"] = {"required": ["friction_angle", "friction_coefficient"]}
     definitions["Grains"]["description"] += " At most one of friction_angle and friction_coefficient."
-    definitions["ContactNormals"]["oneOf"] = _either("D33", "tensor", forbid=("D3333",))
+    definitions["ContactNormals"]["oneOf"] = _either("D33", "tensor", forbid=("D3333",), besides=("tensor4",))
     definitions["BranchAnisotropy"]["oneOf"] = _either("D33", "tensor")
     definitions["Stress"]["oneOf"] = _either("mean", "tensor", forbid=("ratio",))
     definitions["Packing"]["not"] = {"required": ["coordination_number", "coordination_relation"]}
@@ -64,10 +64,16 @@ def schema_text(model: type[BaseModel]) -> str:
     return json.dumps(schema_of(model), indent=2, ensure_ascii=False) + "\n"
 
 
-def _either(first: str, second: str, *, forbid: tuple[str, ...] = ()) -> list[dict[str, Any]]:
-    """The first key, or the second key without those that go with the first."""
-    alone = {"anyOf": [{"required": [key]} for key in (first, *forbid)]}
-    return [{"required": [first], "not": {"required": [second]}}, {"required": [second], "not": alone}]
+def _either(first: str, second: str, *, forbid: tuple[str, ...] = (),
+            besides: tuple[str, ...] = ()) -> list[dict[str, Any]]:
+    """One of two keys, each without the other one and what goes with that."""
+    return [{"required": [key], "not": _any_of(*others)}
+            for key, others in ((first, (second, *besides)), (second, (first, *forbid)))]
+
+
+def _any_of(*keys: str) -> dict[str, Any]:
+    """At least one of some keys."""
+    return {"required": list(keys)} if len(keys) == 1 else {"anyOf": [{"required": [key]} for key in keys]}
 
 
 def _complete(distribution: str, needed: tuple[str, ...], *, forbid: tuple[str, ...]) -> dict[str, Any]:

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Self
 
 from pydantic import Field, model_validator
 
-from granular.errors import ConflictingKeys, MissingKey, StressNotCompressive
+from granular.errors import AxisNeeded, ConflictingKeys, MissingKey, StressNotCompressive
 from granular.fields import Number
 from granular.table import Table
-from granular.tensors import SymmetricTensor, Tensor, require_axial
-from granular.units import PRESSURE
+from granular.tensors import SymmetricTensor, Tensor, is_axial
+from granular.units import PRESSURE, shown
 
 if TYPE_CHECKING:
     from granular.loading import Loading
@@ -41,8 +41,7 @@ class Stress(Table):
         if extra:
             raise ConflictingKeys(f"tensor and {extra[0]} are both given",
                                   allowed="allowed mean with ratio, or tensor", remedy="Delete one of them.")
-        require_axial(self.tensor)
-        sigma11, sigma33 = self.principal
+        sigma11, sigma33 = self.principal if self.axial else (1, 1)  # the mean says enough of other tensors
         if sigma11 <= 0 and sigma33 <= 0:
             raise StressNotCompressive(
                 f"tensor has t11 = {float(sigma11)!r} Pa and t33 = {float(sigma33)!r} Pa",
@@ -57,14 +56,30 @@ class Stress(Table):
         return self
 
     @property
+    def axial(self) -> bool:
+        """Whether the stress is symmetric about axis 3, to the rounding of typed decimals."""
+        return self.tensor is None or is_axial(self.tensor)
+
+    @property
+    def matrix(self) -> Tensor:
+        """The stress tensor up to a positive factor [-], compression positive, whichever way it was given."""
+        if self.tensor is not None:
+            return self.tensor
+        return (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0 if self.ratio is None else self.ratio)
+
+    @property
     def principal(self) -> tuple[Fraction, Fraction]:
-        """sigma11 and sigma33 up to a common positive factor, exactly as given [-]."""
+        """sigma11 and sigma33 up to a common positive factor, exactly as given [-]; refused without axis 3."""
+        if not self.axial:
+            raise AxisNeeded(f"stress.tensor = {shown(self.tensor)}",
+                             allowed="allowed diag(t11, t11, t33) where stresses along and across axis 3 are asked for",
+                             remedy="Ask for the tensor.")
         if self.tensor is not None:
             return Fraction(self.tensor[0][0]), Fraction(self.tensor[2][2])
         return Fraction(1), Fraction(1 if self.ratio is None else self.ratio)
 
     def loading(self, friction: float | None) -> Loading:
-        """Principal stresses and friction as the contacts feel them."""
+        """Principal stresses along and across axis 3, and friction, as the contacts feel them."""
         from granular.loading import Loading
 
         sigma11, sigma33 = self.principal
@@ -73,8 +88,10 @@ class Stress(Table):
     @property
     def mean_stress(self) -> float:
         """Mean stress p [Pa], compression positive, whichever way it was given."""
-        if self.tensor is not None:
+        if self.tensor is not None and self.axial:
             sigma11, sigma33 = self.principal
             return float((2 * sigma11 + sigma33) / 3)
+        if self.tensor is not None:
+            return float(sum(Fraction(self.tensor[place][place]) for place in range(3)) / 3)
         assert self.mean is not None  # _compressive has seen to it
         return self.mean

@@ -77,7 +77,7 @@ def decisions(scene: Scene, rtol: float) -> tuple[Decision, ...]:
                                   outcome=Outcome.ABSENT))
             continue
         needed_by = tuple(other.name for other in CATALOGUE if other.name in kept and effect.name in other.requires)
-        bound = None if needed_by else effect.bound(model_of(scene, kept)).value
+        bound = None if needed_by else effect.bound_in(model_of(scene, kept)).value
         goes = bound is not None and bound <= rest
         found.append(Decision(name=effect.name, called_for=True, needed_by=needed_by, bound=bound, rest=rest,
                               outcome=Outcome.LEFT_OUT if goes else Outcome.SIMULATED))

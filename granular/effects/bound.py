@@ -52,15 +52,11 @@ class Bound:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Simulated:
-    """What the simulated effects leave of a scene.
+class Common:
+    """What the simulated effects leave of a scene, whether it has an axis of symmetry or not.
 
     Attributes
     ----------
-    fabric : AxialFabric
-        Contact normals and branches [-].
-    loading : Loading or None
-        What the stress does to the contacts; None when all contacts are taken as equally stiff.
     sizes : SizeDistribution or None
         Sizes of the grains; None when all are taken as equally large.
     poisson_ratio : float
@@ -69,8 +65,6 @@ class Simulated:
         Kinematic or static.
     """
 
-    fabric: AxialFabric
-    loading: Loading | None
     sizes: SizeDistribution | None
     poisson_ratio: float
     hypothesis: Hypothesis
@@ -80,10 +74,36 @@ class Simulated:
         """Whether the stress is uniform, rather than the strain."""
         return self.hypothesis is Hypothesis.STATIC
 
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Simulated(Common):
+    """What the simulated effects leave of a scene with an axis, about that axis.
+
+    Attributes
+    ----------
+    fabric : AxialFabric
+        Contact normals and branches [-].
+    loading : Loading or None
+        What the stress does to the contacts; None when all contacts are taken as equally stiff.
+    """
+
+    fabric: AxialFabric
+    loading: Loading | None
+
     @property
     def slips(self) -> bool:
         """Whether friction limits the shear forces."""
         return self.loading is not None and self.loading.friction is not None
+
+    @property
+    def opens(self) -> bool:
+        """Whether contacts open in some direction."""
+        return self.loading is not None and self.loading.opens()
+
+    def require_finite_compliance(self) -> None:
+        """Refuse the static hypothesis with contacts that slide or have opened."""
+        if self.static and self.loading is not None:
+            self.loading.require_finite_compliance(self.fabric.D33)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -26,7 +26,8 @@ def _called_for(scene: Scene) -> Called:
 
 
 def _add_to_fabric(scene: Scene, fabric: AxialFabric) -> AxialFabric:
-    return replace(fabric, aspect_ratio=scene.fabric.aspect_ratio, free_spin=scene.fabric.free_spin)
+    shape = scene.about_axis.fabric
+    return replace(fabric, aspect_ratio=shape.aspect_ratio, free_spin=shape.free_spin)
 
 
 def _bound(simulated: Simulated) -> Bound:

@@ -7,10 +7,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from granular.effects.bound import Bound, Simulated
+from granular.effects.bound import Bound, Common, Simulated
 
 if TYPE_CHECKING:
+    from granular.effects.forms import GeneralSimulated
     from granular.fabric import AxialFabric
+    from granular.general import GeneralFabric, GeneralLoading
     from granular.gradation import SizeDistribution
     from granular.loading import Loading
     from granular.scene import Scene
@@ -32,9 +34,29 @@ class Called:
     reason: str
 
 
-def _nothing_proved(simulated: Simulated) -> Bound:
+def _nothing_proved(simulated: Common) -> Bound:
     del simulated  # whatever it is
     return Bound(math.inf, "nothing is proved")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WithoutAxis:
+    """How an effect enters a scene whose tensors share no axis; the fields mean what they mean in :class:`Effect`.
+
+    Attributes
+    ----------
+    called_for : callable
+        Decides from a scene.
+    bound : callable
+        How much any entry of the Mandel matrix changes over the largest one, when the effect is left out.
+    add_to_fabric, add_to_loading : callable or None
+        Put the scene's share of the effect into the tensors that are computed with.
+    """
+
+    called_for: Callable[[Scene], Called]
+    bound: Callable[[GeneralSimulated], Bound] = _nothing_proved
+    add_to_fabric: Callable[[Scene, GeneralFabric], GeneralFabric] | None = None
+    add_to_loading: Callable[[Scene, GeneralLoading | None], GeneralLoading] | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,7 +74,7 @@ class Effect:
     without : str
         What leaving it out means.
     called_for : callable
-        Decides from a scene.
+        Decides from a scene; from one with an axis where ``without_axis`` is given.
     bound : callable
         How much any of the six components changes when it is left out of a model that has it, and all else stays.
     add_to_fabric : callable or None
@@ -67,6 +89,8 @@ class Effect:
         Effects that no scene has beside this one.
     modules : tuple of str
         Modules that compute the effect and nothing else: a scene without it never imports them.
+    without_axis : WithoutAxis or None
+        The same for scenes whose tensors share no axis; None where nothing of it has a direction.
     """
 
     name: str
@@ -81,3 +105,16 @@ class Effect:
     requires: tuple[str, ...] = ()
     excludes: tuple[str, ...] = ()
     modules: tuple[str, ...] = ()
+    without_axis: WithoutAxis | None = None
+
+    def asked_by(self, scene: Scene) -> Called:
+        """Decide from any scene whether it calls for the effect."""
+        if self.without_axis is None or scene.axis is not None:
+            return self.called_for(scene)
+        return self.without_axis.called_for(scene)
+
+    def bound_in(self, model: Simulated | GeneralSimulated) -> Bound:
+        """How much leaving the effect out of a model that has it changes the stiffness, when all else stays."""
+        if isinstance(model, Simulated):
+            return self.bound(model)
+        return _nothing_proved(model) if self.without_axis is None else self.without_axis.bound(model)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from granular.effects.bound import Bound, Simulated
-from granular.effects.effect import Called, Effect
+from granular.effects.bound import Bound, Common
+from granular.effects.effect import Called, Effect, WithoutAxis
 from granular.effects.ranges import Range
 from granular.errors import MissingKey
 
@@ -29,7 +29,7 @@ def _sizes(scene: Scene) -> SizeDistribution:
     return scene.gradation.sizes
 
 
-def _bound(simulated: Simulated) -> Bound:
+def _bound(simulated: Common) -> Bound:
     """The branch lengths multiply all components by one number."""
     from granular.gradation import length_moments
 
@@ -44,4 +44,5 @@ def _bound(simulated: Simulated) -> Bound:
 EFFECT = Effect(
     name="gradation", title="grains of many sizes", equations="eqs (10)-(13) and (15)-(19)",
     without="all grains then have one size", called_for=_called_for, bound=_bound, sizes=_sizes,
-    modules=("granular.gradation.lognormal_branches", "granular.gradation.curve_branches"))
+    modules=("granular.gradation.lognormal_branches", "granular.gradation.curve_branches"),
+    without_axis=WithoutAxis(called_for=_called_for, bound=_bound))

@@ -8,11 +8,14 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from granular.effects.bound import Bound, Change, Simulated, largest_change
-from granular.effects.effect import Called, Effect
+from granular.effects.effect import Called, Effect, WithoutAxis
 from granular.effects.ranges import UNCHANGED, UNKNOWN, Range, expm1, log
+from granular.tensors import ZERO, span
 
 if TYPE_CHECKING:
+    from granular.effects.forms import GeneralSimulated
     from granular.fabric import AxialFabric
+    from granular.general import GeneralFabric
     from granular.loading import Loading
     from granular.scene import Scene
 
@@ -20,29 +23,36 @@ STEEPEST = 3 * math.sqrt(3) / 16
 """Largest value of sqrt(u)/(1 + u)^2 over u > 0, at u = 1/3 [-]."""
 
 
+MAY_CLOSE = "contacts that have opened may close with another density of their normals"
+MISSING = "contacts missing in some direction would be put there"
+LARGEST = "the largest change of density and contact force in any direction"
+"""Why there is a bound or none."""
+
 STEEP = 1000.0
 """Logarithm of a ratio of forces beyond which nothing is claimed, for cosh overflows [-]."""
 
 
 def _called_for(scene: Scene) -> Called:
-    D33, D3333 = scene.fabric.D33, scene.fabric.D3333
+    fabric = scene.about_axis.fabric
+    D33, D3333 = fabric.D33, fabric.D3333
     if D33 == 0.0 == D3333:
         return Called(False, "contact normals are isotropic")
     return Called(True, f"contact normals with D33 = {D33!r}" + (f", D3333 = {D3333!r}" if D3333 else ""))
 
 
 def _add_to_fabric(scene: Scene, fabric: AxialFabric) -> AxialFabric:
-    return replace(fabric, D33=scene.fabric.D33, D3333=scene.fabric.D3333)
+    normals = scene.about_axis.fabric
+    return replace(fabric, D33=normals.D33, D3333=normals.D3333)
 
 
 def _bound(simulated: Simulated) -> Bound:
     """Directions without contacts leave no bound; else the density, the forces and their balance change by ratios."""
     fabric, loading = simulated.fabric, simulated.loading
     if loading is not None and loading.opens():
-        return Bound(math.inf, "contacts that have opened may close with another density of their normals")
+        return Bound(math.inf, MAY_CLOSE)
     density = Range.of(*_extremes(fabric))
     if math.isinf(density.low):
-        return Bound(math.inf, "contacts missing in some direction would be put there")
+        return Bound(math.inf, MISSING)
     D33 = Fraction(fabric.D33)
     N11, N33 = Range.of(1 - D33 / 5), Range.of(1 + 2 * D33 / 5)
     change = Change(share=density ** -1.0, across=N11 ** -1.0, along=N33 ** -1.0)
@@ -53,7 +63,7 @@ def _bound(simulated: Simulated) -> Bound:
         forces = carrying[0] | carrying[-1]
         chi, apart = _slip(simulated, loading)
         change = replace(change, normal=forces ** (1 / 3), chi=chi, apart=apart)
-    return Bound(largest_change(change, simulated), "the largest change of density and contact force in any direction")
+    return Bound(largest_change(change, simulated), LARGEST)
 
 
 def _extremes(fabric: AxialFabric) -> list[Fraction]:
@@ -96,6 +106,42 @@ def _slip(simulated: Simulated, loading: Loading) -> tuple[Range, Range]:
     return chi, apart
 
 
+def _called_for_by_tensors(scene: Scene) -> Called:
+    fabric = scene.general_fabric
+    if fabric.D == ZERO and fabric.D4 is None:
+        return Called(False, "contact normals are isotropic")
+    if fabric.D4 is None:
+        return Called(True, "contact normals by a tensor, " + span("4 pi E", fabric.D))
+    return Called(True, "contact normals by tensors of rank two and four")
+
+
+def _add_tensors(scene: Scene, fabric: GeneralFabric) -> GeneralFabric:
+    normals = scene.general_fabric
+    return replace(fabric, D=normals.D, D4=normals.D4)
+
+
+def _bound_of_tensors(simulated: GeneralSimulated) -> Bound:
+    """As about an axis; the static hypothesis has a bound where N stays, that is for a part of rank four alone."""
+    from granular.effects.forms import largest_change_of_form, with_forces_of
+    from granular.general.fabric import density_range
+
+    if simulated.fabric.D == ZERO and simulated.fabric.D4 is None:
+        return Bound(0.0, "contact normals are isotropic")
+    if simulated.opens:
+        return Bound(math.inf, MAY_CLOSE)
+    least, greatest = density_range(simulated.fabric)
+    if least <= 0:
+        return Bound(math.inf, MISSING)
+    if simulated.static and simulated.fabric.D != ZERO:
+        return Bound(math.inf, "other forces would balance the same stress")
+    change = Change(share=Range.of(least, greatest) ** -1.0)
+    if simulated.loading is not None:
+        change = with_forces_of(change, simulated,
+                                replace(simulated, fabric=replace(simulated.fabric, D=ZERO, D4=None)))
+    return Bound(largest_change_of_form(change, simulated), LARGEST)
+
+
 EFFECT = Effect(
     name="packing", title="anisotropic density of contact normals", equations="eqs (4) and (7)",
-    without="contact normals are then isotropic", called_for=_called_for, bound=_bound, add_to_fabric=_add_to_fabric)
+    without="contact normals are then isotropic", called_for=_called_for, bound=_bound, add_to_fabric=_add_to_fabric,
+    without_axis=WithoutAxis(called_for=_called_for_by_tensors, bound=_bound_of_tensors, add_to_fabric=_add_tensors))

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 from granular.effects import CATALOGUE, Called, Effect
 from granular.effects.bound import Bound, Simulated
-from granular.errors import ConflictingKeys
+from granular.errors import AxisNeeded, ConflictingKeys
 from granular.fabric import AxialFabric
 
 if TYPE_CHECKING:
+    from granular.effects.forms import GeneralSimulated
     from granular.gradation import SizeDistribution
     from granular.loading import Loading
     from granular.scene import Scene
@@ -34,8 +35,8 @@ class Selection:
         Effect -> why it is simulated.
     not_called_for : dict
         Effect -> why it is not.
-    model : Simulated
-        What the simulated effects leave of the scene.
+    model : Simulated or GeneralSimulated
+        What the simulated effects leave of the scene: about its axis, or by tensors where it has none.
     left_out_error : float
         Bound for the relative change of any component by what was left out for a wanted accuracy [-].
     scene : Scene
@@ -46,20 +47,29 @@ class Selection:
 
     simulated: dict[str, str]
     not_called_for: dict[str, str]
-    model: Simulated
+    model: Simulated | GeneralSimulated
     left_out_error: float
     scene: Scene
     spent: dict[str, Bound]
 
     @property
+    def axial(self) -> Simulated:
+        """The model about the axis of the scene; refused where it has none."""
+        if not isinstance(self.model, Simulated):
+            raise AxisNeeded("a scene whose fabric and stress share no axis",
+                             allowed="allowed only tensors with one axis of symmetry in common there",
+                             remedy="Use model, which holds the tensors.")
+        return self.model
+
+    @property
     def fabric(self) -> AxialFabric:
-        """Contact normals and branches that are simulated [-]."""
-        return self.model.fabric
+        """Contact normals and branches that are simulated, about the axis of the scene [-]."""
+        return self.axial.fabric
 
     @property
     def loading(self) -> Loading | None:
         """What the stress does to the contacts; None when all contacts are taken as equally stiff."""
-        return self.model.loading
+        return self.axial.loading
 
     @property
     def sizes(self) -> SizeDistribution | None:
@@ -80,7 +90,7 @@ class Selection:
     def considered(self) -> tuple[str, ...]:
         """Names of the effects that are simulated, or that the scene calls for."""
         return tuple(effect.name for effect in CATALOGUE
-                     if effect.name in self.simulated or effect.called_for(self.scene).wanted)
+                     if effect.name in self.simulated or effect.asked_by(self.scene).wanted)
 
     @property
     def bounds(self) -> dict[str, float]:
@@ -134,7 +144,7 @@ def select(scene: Scene, *, rtol: float | None = None) -> Selection:
     (['packing', 'branches', 'kinetic'], ['branches'])
     """
     listed = scene.model.effects
-    called = {effect.name: effect.called_for(scene) for effect in CATALOGUE}
+    called = {effect.name: effect.asked_by(scene) for effect in CATALOGUE}
     names = {effect.name for effect in CATALOGUE
              if (called[effect.name].wanted if listed == "auto" else effect.name in listed)}
     needed = {name: effect.name for effect in CATALOGUE if effect.name in names
@@ -155,7 +165,7 @@ def select(scene: Scene, *, rtol: float | None = None) -> Selection:
         model=model_of(scene, names), left_out_error=_together(spent.values()), scene=scene, spent=spent)
 
 
-def model_of(scene: Scene, names: Collection[str]) -> Simulated:
+def model_of(scene: Scene, names: Collection[str]) -> Simulated | GeneralSimulated:
     """Put the effects of some names together.
 
     Parameters
@@ -167,8 +177,8 @@ def model_of(scene: Scene, names: Collection[str]) -> Simulated:
 
     Returns
     -------
-    Simulated
-        What they leave of the scene.
+    Simulated or GeneralSimulated
+        What they leave of the scene: about its axis, or by tensors where it has none.
 
     Raises
     ------
@@ -179,18 +189,32 @@ def model_of(scene: Scene, names: Collection[str]) -> Simulated:
     -----
     Source: each effect's own.
     """
-    fabric, loading, sizes = AxialFabric(), None, None
-    for effect in CATALOGUE:
-        if effect.name not in names:
-            continue
-        if effect.sizes is not None:
-            sizes = effect.sizes(scene)
+    effects = [effect for effect in CATALOGUE if effect.name in names]
+    sizes = next((effect.sizes(scene) for effect in effects if effect.sizes is not None), None)
+    if scene.axis is None:
+        return _by_tensors(scene, effects, sizes)
+    fabric, loading = AxialFabric(), None
+    for effect in effects:
         if effect.add_to_fabric is not None:
             fabric = effect.add_to_fabric(scene, fabric)
         if effect.add_to_loading is not None:
             loading = effect.add_to_loading(scene, loading)
     return Simulated(fabric=fabric, loading=loading, sizes=sizes, poisson_ratio=scene.grains.poisson_ratio,
                      hypothesis=scene.model.hypothesis)
+
+
+def _by_tensors(scene: Scene, effects: Collection[Effect], sizes: SizeDistribution | None) -> GeneralSimulated:
+    from granular.effects.forms import GeneralSimulated
+    from granular.general import GeneralFabric
+
+    fabric, loading = GeneralFabric(), None
+    for ways in (effect.without_axis for effect in effects if effect.without_axis is not None):
+        if ways.add_to_fabric is not None:
+            fabric = ways.add_to_fabric(scene, fabric)
+        if ways.add_to_loading is not None:
+            loading = ways.add_to_loading(scene, loading)
+    return GeneralSimulated(fabric=fabric, loading=loading, sizes=sizes, poisson_ratio=scene.grains.poisson_ratio,
+                            hypothesis=scene.model.hypothesis)
 
 
 def _by_name() -> dict[str, Effect]:
@@ -204,7 +228,7 @@ def _negligible(scene: Scene, names: Collection[str], budget: float) -> dict[str
     for effect in reversed(CATALOGUE):
         if effect.name not in kept or any(effect.name in other.requires for other in CATALOGUE if other.name in kept):
             continue
-        bound = effect.bound(model)
+        bound = effect.bound_in(model)
         if _together([*spent.values(), bound]) <= budget:
             kept.remove(effect.name)
             spent[effect.name] = bound
@@ -225,7 +249,7 @@ def _bound_without(scene: Scene, names: set[str], name: str) -> Bound:
     kept, passed = set(names), list[Bound]()
     for effect in reversed(CATALOGUE):
         if effect.name in kept and (effect.name == name or name in effect.requires):
-            passed.append(effect.bound(model_of(scene, kept)))
+            passed.append(effect.bound_in(model_of(scene, kept)))
             kept.remove(effect.name)
     unknown = [bound for bound in passed if math.isinf(bound.value)]  # one without a bound leaves none for all
     return Bound(_together(passed), "; ".join(dict.fromkeys(bound.reason for bound in unknown[:1] or passed)))
@@ -271,7 +295,7 @@ def _require_companions(scene: Scene, names: set[str], needed: dict[str, str]) -
         raise ConflictingKeys(f"model.effects lists {by} without {name}",
                               allowed=f"allowed {by} only together with {name}",
                               remedy=f"Add {name} to the list, or take {by} off.")
-    if "kinetic" in names and "opening" not in names and scene.stress.loading(None).opens():
+    if "kinetic" in names and "opening" not in names and model_of(scene, {"kinetic"}).opens:
         raise ConflictingKeys("model.effects lists kinetic without opening under a stress with a tension",
                               allowed="allowed only contacts that carry no tension",
                               remedy="Add opening to the list, or take kinetic off.")

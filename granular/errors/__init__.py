@@ -28,10 +28,10 @@ from granular.errors.gradations import CurveIncomplete, CurveInPercent, CurveMal
 from granular.errors.quantities import QuantityUnreadable, UnitOfOtherDimension, UnitUnknown
 from granular.errors.refusal import GranularError, found_at
 from granular.errors.scenes import (
+    AxisNeeded,
     ConflictingKeys,
     MissingKey,
     StressNotCompressive,
-    SymmetryNotBuilt,
     TensorUnusable,
     UnknownChoice,
     UnknownKey,
@@ -58,6 +58,7 @@ from granular.errors.tensors import (
 __all__ = [
     "CATALOGUE",
     "ArrayNotUsable",
+    "AxisNeeded",
     "BadOption",
     "BranchesUnusable",
     "CertifiedArithmeticMissing",
@@ -91,7 +92,6 @@ __all__ = [
     "RouteOutOfDomain",
     "SchedulerUnreachable",
     "StressNotCompressive",
-    "SymmetryNotBuilt",
     "SweepEmpty",
     "SweepFolderTaken",
     "SweepLibraryMissing",
@@ -115,7 +115,7 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     FileUnreadable, NotToml, FileTooLarge, BadOption, OutputUnwritable,
     UnitUnknown, UnitOfOtherDimension, QuantityUnreadable,
     UnknownKey, MissingKey, WrongType, ValueOutOfRange, UnknownChoice, ConflictingKeys, TensorUnusable,
-    SymmetryNotBuilt, StressNotCompressive,
+    AxisNeeded, StressNotCompressive,
     FabricOutOfRange, BranchesUnusable, DirectionNotUnit, TooFewDirections,
     CurveMalformed, CurveInPercent, CurveNotMonotone, CurveIncomplete,
     ContactFileUnusable, ContactColumnsMissing, ContactValuesMissing, ContactImpossible, ContactTwice,

@@ -54,11 +54,11 @@ class TensorUnusable(GranularError):
     title = "A tensor that is not symmetric or not traceless"
 
 
-class SymmetryNotBuilt(GranularError):
-    """A fabric or stress tensor that is not axially symmetric about axis 3."""
+class AxisNeeded(GranularError):
+    """Something that wants fabric and stress symmetric about axis 3, with tensors that are not."""
 
     code = "G-SCN-08"
-    title = "A tensor that is not axially symmetric about axis 3"
+    title = "A tensor without the axis that is needed"
 
 
 class StressNotCompressive(GranularError):

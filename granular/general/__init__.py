@@ -9,7 +9,8 @@ from granular.general.engineering import GeneralEngineering, general_engineering
 from granular.general.extremes import Extreme
 from granular.general.fabric import GeneralFabric
 from granular.general.loading import GeneralLoading
-from granular.general.stiffness import GeneralStiffness, general_stiffness
+from granular.general.result import GeneralStiffness
+from granular.general.stiffness import general_stiffness
 from granular.general.symmetry import Symmetry, classify
 from granular.general.waves import GeneralWaves, PlaneWaves, ThreeWaves, axis_speeds, general_waves, plane_waves
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
+from granular.axial_scene import AxialScene
 from granular.errors import FabricOutOfRange
 from granular.fabric import AxialFabric
 from granular.loading import Loading
@@ -16,31 +16,13 @@ if TYPE_CHECKING:
 
     from granular.general.fabric import GeneralFabric
     from granular.general.loading import GeneralLoading
+    from granular.tensors import Tensor4
 
     Array = NDArray[np.float64]
 
 NEAR = 2.0**-44
 """A tensor is axial when it differs from its axial part by less than this [-], relative to the isotropic part of the
 density, of W or of the stress: some hundred roundings."""
-
-
-@dataclass(frozen=True, slots=True)
-class AxialScene:
-    """A scene turned so that its axis is axis 3.
-
-    Attributes
-    ----------
-    fabric : AxialFabric
-        Contact normals and branches about axis 3 [-].
-    loading : Loading or None
-        Stress and friction about axis 3.
-    axis : tuple of 3 float
-        The axis in the frame of the scene [-], a unit vector.
-    """
-
-    fabric: AxialFabric
-    loading: Loading | None
-    axis: tuple[float, float, float]
 
 
 def axial_scene(fabric: GeneralFabric, loading: GeneralLoading | None) -> AxialScene | None:
@@ -87,7 +69,8 @@ def axial_scene(fabric: GeneralFabric, loading: GeneralLoading | None) -> AxialS
                             Dr33=0.0 if fabric.Dr is None else float(axis @ second[1] @ axis))
     except FabricOutOfRange:  # admissible to rounding only: the route without an axis takes it
         return None
-    return AxialScene(axial, _about(loading, axis), (float(axis[0]), float(axis[1]), float(axis[2])))
+    one, two, three = (0.0 + value for value in axis.tolist())  # no zero with a sign
+    return AxialScene(axial, _about(loading, axis), (one, two, three))
 
 
 def _inside(D33: float) -> float:
@@ -138,6 +121,35 @@ def _is_axial_2(tensor: Array, axis: Array) -> bool:
     along = float(axis @ tensor @ axis)
     part = along * (3 * np.outer(axis, axis) - np.eye(3)) / 2
     return float(np.abs(tensor - part).max()) <= NEAR
+
+
+def fourth_about_axis_3(D3333: float) -> Tensor4:
+    """The tensor of rank four of a P4 coefficient about axis 3.
+
+    Parameters
+    ----------
+    D3333 : float
+        The coefficient [-].
+
+    Returns
+    -------
+    (3, 3, 3, 3) tuple of float
+        D_ijkl [-] with D_ijkl n_i n_j n_k n_l = D3333 P4(n_3).
+
+    Notes
+    -----
+    Source: eq. (14) with a term of rank four.
+
+    Examples
+    --------
+    >>> fourth_about_axis_3(0.8)[2][2][2][2], fourth_about_axis_3(0.8)[0][0][0][0]
+    (0.8, 0.3)
+    """
+    import numpy as np
+
+    first, second, third = (tuple(tuple(tuple(row) for row in block) for block in part)
+                            for part in (D3333 * _fourth_about(np.array([0.0, 0.0, 1.0]))).tolist())
+    return cast("Tensor4", (first, second, third))
 
 
 def _fourth_about(axis: Array) -> Array:

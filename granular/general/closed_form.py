@@ -6,10 +6,11 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from granular.general.components import compliance_tensor, inverted, symmetric_tensor
-from granular.general.fabric import ZERO, GeneralFabric
+from granular.general.fabric import GeneralFabric
 from granular.hypothesis import Hypothesis
 from granular.notation import MANDEL_PAIRS, mandel_factor
 from granular.routes.rational import fractions_of
+from granular.tensors import ZERO
 
 if TYPE_CHECKING:
     import numpy as np

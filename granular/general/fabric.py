@@ -6,18 +6,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, cast
 
 from granular.errors import FabricOutOfRange, TensorUnusable
-from granular.tensors import SymmetricTensor, Tensor
+from granular.tensors import ZERO, SymmetricTensor, Tensor, Tensor4, shown_direction
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
     Array = NDArray[np.float64]
-
-Tensor4 = tuple[tuple[Tensor, Tensor, Tensor], tuple[Tensor, Tensor, Tensor], tuple[Tensor, Tensor, Tensor]]
-"""A fourth-rank tensor, index by index."""
-
-ZERO: Tensor = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
 NEAR = 1e-12
 """Traces, differences between permuted entries and negative densities below this count as rounding [-]."""
@@ -176,7 +171,7 @@ def _require_branches(Dr: Tensor) -> None:
 
     values, vectors = np.linalg.eigh(np.array(Dr))
     if not 1 + values[0] > 0:
-        raise FabricOutOfRange(f"Dr gives W = {1 + values[0]:.6g} along n = {_shown(vectors[:, 0])}",
+        raise FabricOutOfRange(f"Dr gives W = {1 + values[0]:.6g} along n = {shown_direction(vectors[:, 0].tolist())}",
                                allowed="allowed only 1 + Dr_ij n_i n_j > 0 (branches have a length)",
                                remedy="Bring Dr closer to zero.")
 
@@ -184,15 +179,11 @@ def _require_branches(Dr: Tensor) -> None:
 def _require_density(fabric: GeneralFabric) -> None:
     least, direction = least_density(fabric)
     if not least >= -NEAR:
+        where = shown_direction(direction.tolist())
         raise FabricOutOfRange(
-            f"D{'' if fabric.D4 is None else ' with D4'} gives 4 pi E = {least:.6g} along n = {_shown(direction)}",
+            f"D{'' if fabric.D4 is None else ' with D4'} gives 4 pi E = {least:.6g} along n = {where}",
             allowed="allowed only densities that are nowhere negative",
             remedy="Bring the tensors closer to zero.")
-
-
-def _shown(direction: Array) -> str:
-    sign = -1.0 if direction[abs(direction).argmax()] < 0 else 1.0
-    return "(" + ", ".join(f"{sign * value:.4g}" for value in direction) + ")"
 
 
 def least_density(fabric: GeneralFabric) -> tuple[float, Array]:
@@ -232,6 +223,41 @@ def least_density(fabric: GeneralFabric) -> tuple[float, Array]:
     found = np.array([_descended(D, D4, start) for start in starts.T]).T
     values = fabric.relative_density(found)
     return float(values.min()), found[:, values.argmin()]
+
+
+def density_range(fabric: GeneralFabric) -> tuple[float, float]:
+    """Enclose the density of contact normals.
+
+    Parameters
+    ----------
+    fabric : GeneralFabric
+        Contact normals [-].
+
+    Returns
+    -------
+    tuple of 2 float
+        No more than the least and no less than the greatest 4 pi E [-].
+
+    Notes
+    -----
+    Accuracy: next to the extremes without D4, which are eigenvalues. With it those of the part of rank four as a form
+    on symmetric tensors are added, which encloses safely and not tightly. Source: n n is a symmetric tensor of norm
+    one without a part of the identity but 1/sqrt(3), and a traceless D4 takes none of that.
+
+    Examples
+    --------
+    >>> [round(value, 12) for value in density_range(GeneralFabric(D=[[0.5, 0, 0], [0, -0.25, 0], [0, 0, -0.25]]))]
+    [0.75, 1.5]
+    """
+    import numpy as np
+
+    values = np.linalg.eigvalsh(np.array(fabric.D))
+    low, high = float(values[0]), float(values[2])
+    if fabric.D4 is not None:
+        fourth = np.linalg.eigvalsh(np.array(fabric.D4).reshape(9, 9)) * (2 / 3)
+        low, high = low + float(fourth[0]), high + float(fourth[-1])
+    slack = NEAR / 100 * max(abs(low), abs(high))
+    return 1 + low - slack, 1 + high + slack
 
 
 def spread_directions(count: int) -> Array:

@@ -16,6 +16,13 @@ if TYPE_CHECKING:
 DEGREES = (11, 15, 19, 23, 29, 35, 41, 47, 53, 59, 71, 83, 95, 107, 119, 131)
 """Degrees that are tried one after the other."""
 
+POINTS = dict(zip(DEGREES, (50, 86, 146, 194, 302, 434, 590, 770, 974, 1202, 1730, 2354, 3074, 3890, 4802, 5810),
+                  strict=True))
+"""Directions of each rule [-]; half of them are evaluated."""
+
+ALL_POINTS = sum(POINTS.values()) // 2
+"""Directions of all of them [-]."""
+
 SAFETY = 10.0
 """The difference between two degrees, times this, is the error that is stated: an estimate."""
 

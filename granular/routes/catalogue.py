@@ -211,5 +211,8 @@ AUTO = ("closed_form", "axial")
 """Routes among which a plan chooses by itself; the last one serves every scene. The others are independent voices, and
 slower: rules over the sphere know nothing of the axis, and proofs take their time."""
 
+WITHOUT_AXIS = ("lebedev", "product")
+"""Names of routes that only scenes without an axis have; see :mod:`granular.general.routes`."""
+
 MOST_ACCURATE = "certified"
 """Route to name when another one promises too little."""

@@ -7,11 +7,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.errors import RouteOutOfDomain
-from granular.routes.catalogue import AUTO, ROUTES, Route
+from granular.routes.catalogue import AUTO, ROUTES, WITHOUT_AXIS, Route
 from granular.routes.result import Promise
 
 if TYPE_CHECKING:
+    from granular.effects.bound import Simulated
+    from granular.effects.forms import GeneralSimulated
     from granular.fabric import AxialFabric
+    from granular.general.routes import GeneralRoute
     from granular.hypothesis import Hypothesis
     from granular.loading import Loading
 
@@ -22,15 +25,16 @@ class Considered:
 
     Attributes
     ----------
-    route : Route
+    route : Route or GeneralRoute
         Which one.
     promise : Promise or None
         What it would give; None where it does not serve the scene.
     price : float
-        Predicted time in units of one operation of the rule along the meridian [-]; infinite without a promise.
+        Predicted time in units of one operation of the rule along the meridian [-]; infinite without a promise. Without
+        an axis the predicted number of directions.
     """
 
-    route: Route
+    route: Route | GeneralRoute
     promise: Promise | None
     price: float
 
@@ -41,7 +45,7 @@ class Choice:
 
     Attributes
     ----------
-    route : Route
+    route : Route or GeneralRoute
         Which one.
     promise : Promise
         What it gives.
@@ -51,10 +55,48 @@ class Choice:
         All that were looked at, in the order of the catalogue.
     """
 
-    route: Route
+    route: Route | GeneralRoute
     promise: Promise
     reason: str
     considered: tuple[Considered, ...]
+
+
+def choose_for(name: str, model: Simulated | GeneralSimulated, rtol: float | None) -> Choice:
+    """Choose the route of what the simulated effects leave of a scene, with an axis or without one.
+
+    Parameters
+    ----------
+    name : str
+        "auto", or the name of a route.
+    model : Simulated or GeneralSimulated
+        Fabric, loading and hypothesis.
+    rtol : float or None
+        Wanted relative accuracy, of every component about the axis, or without one of every component over the
+        largest [-].
+
+    Returns
+    -------
+    Choice
+        The route; where none keeps ``rtol``, the one that comes nearest.
+
+    Raises
+    ------
+    RouteOutOfDomain
+        The route that was named does not serve the scene.
+    ComplianceInfinite
+        Static hypothesis with contacts that slide or have opened.
+
+    Notes
+    -----
+    Accuracy: as promised. Source: :func:`choose`, :func:`granular.general.routes.choose_general`.
+    """
+    from granular.effects.bound import Simulated
+
+    if isinstance(model, Simulated):
+        return choose(name, model.fabric, model.hypothesis, model.loading, rtol)
+    from granular.general.routes import choose_general
+
+    return choose_general(name, model.fabric, model.hypothesis, model.loading, rtol)
 
 
 def choose(name: str, fabric: AxialFabric, hypothesis: Hypothesis, loading: Loading | None,
@@ -97,6 +139,10 @@ def choose(name: str, fabric: AxialFabric, hypothesis: Hypothesis, loading: Load
     >>> choose("auto", AxialFabric(D33=0.3), Hypothesis.KINEMATIC, None, 1e-9).route.name
     'closed_form'
     """
+    if name in WITHOUT_AXIS:
+        raise RouteOutOfDomain(f"route = {name} with an axis",
+                               allowed="allowed only scenes whose fabric and stress share no axis",
+                               remedy="Use the route sphere, a rule over the sphere that serves scenes with an axis.")
     considered = tuple(_considered(ROUTES[known], fabric, hypothesis, loading, rtol)
                        for known in (AUTO if name == "auto" else (name,)))
     serving = [one for one in considered if one.promise is not None]

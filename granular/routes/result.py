@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from granular.routes.work import Work
 
@@ -46,11 +47,14 @@ class Promise:
         Directions in which the integrand would be evaluated [-].
     work : Work or None
         Operations and functions that it would take; None where they are not counted.
+    error_is : str
+        "bound", or "estimate" where rules over the sphere are compared; then ``evaluations`` is a prediction, too.
     """
 
     relative_error: float
     evaluations: int
     work: Work | None = None
+    error_is: Literal["bound", "estimate"] = "bound"
 
     def kept(self, components: Six) -> RouteResult:
         """Put the components to it."""

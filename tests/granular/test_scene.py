@@ -12,6 +12,7 @@ from importlib import resources
 from pathlib import Path
 
 import jsonschema
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -230,10 +231,27 @@ WRONG = [
     ("tensor of text", changed(stress={"tensor": "28 kPa"}), "TensorUnusable", ["stress.tensor"]),
     ("text in a tensor", changed(packing__contact_normals={"tensor": diagonal("x", 0, 0)}), "WrongType", ["t11"]),
     ("wrong unit in a tensor", changed(stress={"tensor": diagonal("1 kg", 1, 1)}), "UnitOfOtherDimension", ["t11"]),
-    ("another axis", changed(packing__contact_normals={"tensor": diagonal(0.2, -0.1, -0.1)}), "SymmetryNotBuilt",
-     ["axis 3"]),
-    ("stress with shear", changed(stress={"tensor": [[1, 0, 0.1], [0, 1, 0], [0.1, 0, 1]]}), "SymmetryNotBuilt",
-     ["stress.tensor"]),
+    ("a shape about another axis", changed(packing__contact_normals={"tensor": diagonal(0.2, -0.1, -0.1)},
+                                           shape={"aspect_ratio": 0.8}), "AxisNeeded",
+     ["shape with packing.contact_normals.tensor", "axis 3"]),
+    ("a shape under a shear stress", changed(stress={"tensor": [[1, 0, 0.1], [0, 1, 0], [0.1, 0, 1]]},
+                                             shape={"aspect_ratio": 0.8}), "AxisNeeded", ["shape with stress.tensor"]),
+    ("a density that is negative", changed(packing__contact_normals={"tensor": diagonal(2.2, -1.2, -1)}),
+     "FabricOutOfRange", ["packing.contact_normals.tensor gives 4 pi E = -0.2 along n = (0, 1, 0)"]),
+    ("a branch without length", changed(branches={"anisotropy": {"tensor": diagonal(2.2, -1.2, -1)}}),
+     "FabricOutOfRange", ["branches.anisotropy.tensor gives W = -0.2 along n = (0, 1, 0)"]),
+    ("a tensor of rank four alone", changed(packing__contact_normals={"tensor4": np.zeros((3, 3, 3, 3)).tolist()}),
+     "MissingKey", ["tensor is not given beside tensor4"]),
+    ("a tensor of rank four with a trace", changed(packing__contact_normals={
+        "tensor": diagonal(0, 0, 0), "tensor4": np.ones((3, 3, 3, 3)).tolist()}), "TensorUnusable",
+     ["contact_normals.tensor4 has a trace"]),
+    ("a tensor of rank four that is not symmetric", changed(packing__contact_normals={
+        "tensor": diagonal(0, 0, 0), "tensor4": np.eye(81)[3].reshape(3, 3, 3, 3).tolist()}), "TensorUnusable",
+     ["contact_normals.tensor4 changes when indices are swapped"]),
+    ("a tensor of rank three", changed(packing__contact_normals={
+        "tensor": diagonal(0, 0, 0), "tensor4": np.zeros((3, 3, 3)).tolist()}), "TensorUnusable", ["three rows"]),
+    ("shear beyond any mean", changed(stress={"tensor": [[1, 0, 5], [0, 1, 0], [5, 0, -3]]}), "StressNotCompressive",
+     ["mean -0.33"]),
     ("only tension", changed(stress={"tensor": diagonal(-1, -1, -2)}), "StressNotCompressive",
      ["t11 = -1.0", "t33 = -2.0", "some compression"]),
     ("more tension than compression", changed(stress={"tensor": diagonal(1, 1, -3)}), "StressNotCompressive",
@@ -366,8 +384,10 @@ def test_the_schema_takes_what_a_scene_takes(content):
 def test_the_schema_refuses_what_structure_alone_shows():
     # Breaks when the schema is looser than it could be. What it cannot know: units, admissible fabrics, tensors,
     # and values far inside Python.
-    beyond = {"FabricOutOfRange", "UnitOfOtherDimension", "SymmetryNotBuilt", "NotFinite"}
-    unseen = {"not symmetric", "not traceless", "only tension", "more tension than compression", "no stress",
+    beyond = {"FabricOutOfRange", "UnitOfOtherDimension", "AxisNeeded", "NotFinite"}
+    unseen = {"not symmetric", "not traceless", "a tensor of rank four with a trace", "shear beyond any mean",
+              "a tensor of rank four that is not symmetric", "only tension", "more tension than compression",
+              "no stress",
               "no contacts by default", "no contacts by the line", "bare degrees", "curve with an empty file",
               "no such curve", "negative size", "keys that are no text", "text in a tensor", "control characters"}
     validator = jsonschema.Draft202012Validator(Scene.json_schema())
