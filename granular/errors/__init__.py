@@ -21,6 +21,7 @@ from granular.errors.contact_lists import (
     ContactTwice,
     ContactValuesMissing,
 )
+from granular.errors.derivatives import SlopeInfinite, SlopesNotBuilt
 from granular.errors.fabrics import BranchesUnusable, DirectionNotUnit, FabricOutOfRange, TooFewDirections
 from granular.errors.figures import FigureNotKnown, FigureNotWritten
 from granular.errors.files import BadOption, FileTooLarge, FileUnreadable, NotToml, OutputUnwritable
@@ -91,6 +92,8 @@ __all__ = [
     "ResultOutOfRange",
     "RouteOutOfDomain",
     "SchedulerUnreachable",
+    "SlopeInfinite",
+    "SlopesNotBuilt",
     "StressNotCompressive",
     "SweepEmpty",
     "SweepFolderTaken",
@@ -119,7 +122,7 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     FabricOutOfRange, BranchesUnusable, DirectionNotUnit, TooFewDirections,
     CurveMalformed, CurveInPercent, CurveNotMonotone, CurveIncomplete,
     ContactFileUnusable, ContactColumnsMissing, ContactValuesMissing, ContactImpossible, ContactTwice,
-    ComplianceInfinite,
+    ComplianceInfinite, SlopeInfinite, SlopesNotBuilt,
     RouteOutOfDomain, CertifiedArithmeticMissing,
     SweepEmpty, SweepTooLarge, SweepFolderTaken, SchedulerUnreachable, WorkersUnusable, SweepLibraryMissing,
     IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,
