@@ -61,10 +61,10 @@ def show(name: Annotated[str, typer.Argument(help="Name of a derivation, as list
 @app.command()
 def write() -> None:
     """Regenerate every emitted file; what nothing emits any more is removed."""
-    from derivations.emit.files import emitted_files
+    from derivations.emit.files import all_cores, emitted_files
     from derivations.emit.files import write as write_files
 
-    wanted = emitted_files()
+    wanted = emitted_files(all_cores())
     changed = write_files(wanted=wanted)
     for path in changed:
         typer.echo(f"  {path}")
@@ -74,9 +74,9 @@ def write() -> None:
 @app.command()
 def check() -> None:
     """Hold the emitted files against the derivations; exit code 1 and a diff when they differ."""
-    from derivations.emit.files import differences
+    from derivations.emit.files import all_cores, differences, emitted_files
 
-    reports = differences()
+    reports = differences(wanted=emitted_files(all_cores()))
     for report in reports:
         typer.echo(report)
     if reports:

@@ -6,12 +6,15 @@ import difflib
 import hashlib
 import json
 import os
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 
 import sympy as sp
 
-from derivations.catalogue import CATALOGUE
+from derivations.catalogue import derivation, names
 from derivations.emit.arrays import array_module
+from derivations.emit.batch import block_module, loop_module
 from derivations.emit.formulas import formula_fragment
 from derivations.emit.gauss import gauss_module
 from derivations.emit.module import operations_before
@@ -27,38 +30,61 @@ PACKAGE = '''\
 '''
 
 
-def fingerprint(derivation: Derivation) -> str:
+def fingerprint(record: Derivation) -> str:
     """Hash of what a derivation states: its outputs and the arithmetic of its functions, whatever their layout."""
-    parts = [sp.srepr(output.expression) for output in derivation.outputs]
-    for function in derivation.functions:
+    parts = [sp.srepr(output.expression) for output in record.outputs]
+    for function in (*record.functions, *(one.function for one in record.batch)):
         parts += [f"{symbol.name}={sp.srepr(expression)}" for symbol, expression in function.assignments]
         parts += [str(series.coefficients) for series in function.series]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
-def emitted_files() -> dict[str, str]:
-    """Text of every emitted file by its path from the top of the project."""
-    files = {f"{GENERATED}/__init__.py": PACKAGE, f"{GENERATED}/gauss_legendre.py": gauss_module()}
-    index: dict[str, object] = {}
-    for build in CATALOGUE:
-        derivation = build()
-        paths = {}
-        if derivation.functions:
-            paths[f"{GENERATED}/{derivation.name}.py"] = scalar_module(derivation)
-            paths[f"{GENERATED}/{derivation.name}_array.py"] = array_module(derivation)
-        fragment = formula_fragment(derivation)
-        paths[f"{FORMULAS}/{derivation.name}.md"] = fragment
-        files.update(paths)
-        index[derivation.name] = {
-            "title": derivation.title,
-            "sources": list(derivation.sources),
-            "sha256": fingerprint(derivation),
-            "operations_before": operations_before(derivation),
-            "operations_after": sum(f.operations() for f in derivation.functions),
-            "files": sorted(paths),
-        }
+def emitted_of(name: str) -> tuple[dict[str, str], dict[str, object]]:
+    """Texts that one derivation emits, by path, and its entry in the index."""
+    record = derivation(name)
+    files = {}
+    if record.functions:
+        files[f"{GENERATED}/{name}.py"] = scalar_module(record)
+        files[f"{GENERATED}/{name}_array.py"] = array_module(record)
+    if record.batch:
+        files[f"{GENERATED}/{name}_loop.py"] = loop_module(record)
+        files[f"{GENERATED}/{name}_block.py"] = block_module(record)
+    files[f"{FORMULAS}/{name}.md"] = formula_fragment(record)
+    return files, {
+        "title": record.title,
+        "sources": list(record.sources),
+        "sha256": fingerprint(record),
+        "operations_before": operations_before(record),
+        "operations_after": sum(f.operations() for f in record.functions),
+        "files": sorted(files),
+    }
+
+
+def emitted_files(processes: int = 1) -> dict[str, str]:
+    """Text of every emitted file by its path from the top of the project, derived in one or several processes.
+
+    Derivations are independent of one another; what two of them share is derived once in each process.
+    """
+    if processes == 1:
+        emitted = [emitted_of(name) for name in names()]
+        gauss = gauss_module()
+    else:
+        with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
+            nodes = pool.submit(gauss_module)
+            emitted = list(pool.map(emitted_of, names()))
+            gauss = nodes.result()
+    files = {f"{GENERATED}/__init__.py": PACKAGE, f"{GENERATED}/gauss_legendre.py": gauss}
+    index = {}
+    for name, (texts, entry) in zip(names(), emitted, strict=True):
+        files.update(texts)
+        index[name] = entry
     files[f"{GENERATED}/index.json"] = json.dumps(index, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
     return dict(sorted(files.items()))
+
+
+def all_cores() -> int:
+    """How many processes to derive in: the cores of this machine."""
+    return os.cpu_count() or 1
 
 
 def write(root: Path = ROOT, wanted: dict[str, str] | None = None) -> list[str]:
