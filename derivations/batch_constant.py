@@ -12,11 +12,7 @@ import sympy as sp
 
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.sphere import axial_moment
-from derivations.symbols import D33, POSITIVE_MOMENTS, STIFFNESS, Dr33, e0, e1, lam, latex, nu, one_minus_lam, w0, w1
-
-TWICE_SERVED = (sp.Ge(D33, -1), sp.Le(D33, 2), sp.Gt(Dr33, -1), sp.Lt(Dr33, 2), sp.Ge(nu, 0),
-                sp.Le(nu, sp.Rational(1, 2)))
-"""The whole domain of the model."""
+from derivations.symbols import D33, POSITIVE_MOMENTS, STIFFNESS, Dr33, e0, e1, latex, nu, w0, w1
 
 WEIGHTS = sp.symbols("omega0:4", nonnegative=True)
 """Coefficients of 8 E W^2 as a form of degree three."""
@@ -31,6 +27,13 @@ DENOMINATOR = sp.ilcm(*(axial_moment(5 - m, m).q for m in range(6)))
 
 SCALE = 8 * 8 * DENOMINATOR
 """What the sums carry beside the components: 8 of E W^2, 8 of the components, and the denominator."""
+
+
+def domain() -> tuple[sp.Rel, ...]:
+    """The whole domain of the model."""
+    half = sp.Rational(1, 2)
+    return tuple(kind(symbol, bound, evaluate=False) for kind, symbol, bound in (
+        (sp.Ge, D33, -1), (sp.Le, D33, 2), (sp.Gt, Dr33, -1), (sp.Lt, Dr33, 2), (sp.Ge, nu, 0), (sp.Le, nu, half)))
 
 
 def integer_moment(m: int) -> sp.Integer:
@@ -76,20 +79,31 @@ def constant_function() -> Function:
 @cache
 def batch() -> tuple[BatchFunction, ...]:
     """What is emitted for batches."""
-    return (BatchFunction(constant_function(), TWICE_SERVED, factor),)
+    return (BatchFunction(constant_function(), domain(), factor),)
 
 
-def steps(closed: tuple[sp.Expr, ...]) -> tuple[Step, ...]:
-    """Show the form for batches, and that it is the closed form again."""
-    found = constant_function().substituted()
-    r = POSITIVE_MOMENTS
+def steps(closed: dict[sp.Symbol, sp.Expr], components: tuple[sp.Expr, ...]) -> tuple[Step, ...]:
+    """Show the form for batches, and that it is the closed form again.
+
+    ``closed`` gives the positive moments in the fabric, ``components`` the components in moments and nu.
+    """
+    known: dict[sp.Symbol, sp.Expr] = {}
+    for symbol, expression in weight_assignments():
+        known[symbol] = expression.xreplace(known)
+    sums = [sum((integer_moment(j + k) * known[o] for j, o in enumerate(WEIGHTS)), sp.Integer(0)) for k in range(3)]
+    to_sums = {p: r / (8 * DENOMINATOR) for p, r in zip(POSITIVE_MOMENTS, SUMS, strict=True)}
+    found: dict[sp.Symbol, sp.Expr] = {complement: 2 - nu, share: 2 - 2 * nu, factor: 1 / (SCALE * (2 - nu))}
+    for symbol, expression in component_assignments():
+        found[symbol] = expression.xreplace(found)
+    first = sum((integer_moment(j) * o for j, o in enumerate(WEIGHTS)), sp.Integer(0))
     return (
         Step("For very many fabrics at once",
              "Without the coefficient of rank four the moments have integer weights over one denominator, and "
              r"$\lambda$, $\bar\lambda$ share the divisor $2 - \nu$: one division is left. Every sum has terms of one "
              "sign.",
-             (rf"{DENOMINATOR}\,{latex(r[0])} = " + latex(sum(
-                 integer_moment(j) * o for j, o in enumerate(WEIGHTS))).replace("omega", r"omega"),),
-             tuple(Claim(sp.cancel(found[symbol] - expression), sp.Integer(0))
-                   for symbol, expression in zip(STIFFNESS, closed, strict=True))),
+             (rf"8\cdot{DENOMINATOR}\,{latex(POSITIVE_MOMENTS[0])} = {latex(first)}",),
+             (*(Claim(sp.expand(total), sp.expand(8 * DENOMINATOR * closed[p]))
+                for total, p in zip(sums, POSITIVE_MOMENTS, strict=True)),
+              *(Claim(sp.cancel(found[symbol] - expression.xreplace(to_sums)), sp.Integer(0))
+                for symbol, expression in zip(STIFFNESS, components, strict=True)))),
     )

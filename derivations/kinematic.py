@@ -6,7 +6,7 @@ from functools import cache
 
 import sympy as sp
 
-from derivations import contact
+from derivations import batch_constant, contact
 from derivations.axial_components import six_components
 from derivations.fabric import BRANCH_FORM, DENSITY_FORM, branch_form, density_form
 from derivations.record import Claim, Derivation, Function, Output, Step
@@ -242,8 +242,11 @@ def kinematic_constant() -> Derivation:
         inputs=(D33, D3333, Dr33, nu),
         outputs=tuple(Output(c, e.xreplace(to_closed).xreplace(ratios))
                       for c, e in zip(STIFFNESS, positive_components(), strict=True)),
-        steps=(*_moment_steps(), *_closing_steps()),
+        steps=(*_moment_steps(), *_closing_steps(), *batch_constant.steps(
+            {p: m.subs(D3333, 0) for p, m in to_closed.items()},
+            tuple(e.xreplace(ratios) for e in positive_components()))),
         functions=(moment_function(), stiffness_function()),
+        batch=batch_constant.batch(),
     )
 
 

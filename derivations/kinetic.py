@@ -10,7 +10,7 @@ from functools import cache
 
 import sympy as sp
 
-from derivations import legendre
+from derivations import batch_kinetic, legendre
 from derivations.fabric import BRANCH_FORM, DENSITY_FORM, density_form
 from derivations.kinematic import ASSUMPTIONS, EQUAL_TANGENTS, WEIGHT_SYMBOLS, weight_form
 from derivations.kinetic_series import SOFT, STIFF, THIRD, kinematic_function, series_steps, static_function
@@ -245,6 +245,8 @@ def kinetic() -> Derivation:
         inputs=(D33, D3333, Dr33, a, c, d),
         outputs=(*(Output(symbol, e) for symbol, e in zip(POSITIVE_MOMENTS, closed_moments(), strict=True)),
                  *(Output(symbol, e) for symbol, e in zip(NORMAL_FLEXIBILITIES, closed_flexibilities(), strict=True))),
-        steps=(_moment_step(), *_euler_steps(), *_recurrence_steps(), *_legendre_steps(), *series_steps()),
+        steps=(_moment_step(), *_euler_steps(), *_recurrence_steps(), *_legendre_steps(), *series_steps(),
+               *batch_kinetic.steps()),
         functions=(kinematic_function(), static_function()),
+        batch=batch_kinetic.batch(),
     )

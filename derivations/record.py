@@ -119,11 +119,15 @@ class BatchFunction:
         Where it may be used, all of them to hold; in arguments and assigned symbols.
     gate : sympy.Symbol
         An assigned symbol that is a factor of every result: it becomes NaN where the function does not serve.
+    passes : tuple of sympy.Symbol
+        Assigned symbols after which the loop goes over a few hundred elements before the next assignment: a processor
+        works on several elements at once only if what it does to one is short.
     """
 
     function: Function
     serves: tuple[sp.Rel, ...]
     gate: sp.Symbol
+    passes: tuple[sp.Symbol, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -6,12 +6,13 @@ coefficients as correctly rounded decimals, no operation that a library may roun
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import groupby
 from textwrap import fill
 
 import sympy as sp
 
-from derivations.emit.module import WIDTH, all_series, correctly_rounded, docstring, header
+from derivations.emit.module import WIDTH, correctly_rounded, docstring, header
 from derivations.emit.printer import python_source
 from derivations.record import BatchFunction, Derivation
 from derivations.series import TruncatedSeries
@@ -52,27 +53,37 @@ def polynomials(table: Array, v: Array) -> Array:
     return total
 '''
 
+PASS = 256
+"""Elements that one pass of a loop goes over: what is kept of them stays in the nearest cache."""
+
 RELATIONS = {sp.StrictGreaterThan: ">", sp.GreaterThan: ">=", sp.StrictLessThan: "<", sp.LessThan: "<="}
 
 
 def loop_module(derivation: Derivation) -> str:
     """Return the text of ``granular/generated/NAME_loop.py``."""
-    return "\n".join([header(derivation, "a loop over elements, to be compiled"), IMPORTS, "",
+    return "\n".join([_header(derivation, "a loop over elements, to be compiled"), IMPORTS, "",
                       "\n\n".join(_loop(one, _tables(derivation)) for one in derivation.batch)])
 
 
 def block_module(derivation: Derivation) -> str:
     """Return the text of ``granular/generated/NAME_block.py``."""
     groups = {_table_name(group): group for one in derivation.batch for group in _polynomial_groups(one)}
-    parts = [header(derivation, "blocks of elements at once"), IMPORTS]
+    parts = [_header(derivation, "blocks of elements at once"), IMPORTS]
     parts += [_table(name, [_tables(derivation)[_called(e)] for _, e in group]) for name, group in groups.items()]
     return "\n".join(parts) + "\n\n" + "\n\n".join(
         [*([POLYNOMIALS] if groups else []), *(_block(one) for one in derivation.batch)])
 
 
+def _header(derivation: Derivation, kind: str) -> str:
+    """Module docstring with the domain and the operations of what is emitted for batches."""
+    domain = tuple(f"{function.name}: {', '.join(map(_relation, one.serves))}"
+                   for one in derivation.batch for function in (one.function,))
+    return header(replace(derivation, functions=tuple(one.function for one in derivation.batch),
+                          domain=domain), kind)
+
+
 def _tables(derivation: Derivation) -> dict[str, TruncatedSeries]:
-    return {series.name: series for one in derivation.batch for series in one.function.series} | {
-        series.name: series for series in all_series(derivation)}
+    return {series.name: series for one in derivation.batch for series in one.function.series}
 
 
 def _signature(one: BatchFunction) -> str:
@@ -93,7 +104,11 @@ def _docstring(one: BatchFunction) -> str:
 
 
 def _served(one: BatchFunction) -> str:
-    return " & ".join(f"({python_source(r.lhs)} {RELATIONS[r.func]} {_number(r.rhs)})" for r in one.serves)
+    return " & ".join(f"({_relation(relation)})" for relation in one.serves)
+
+
+def _relation(relation: sp.Rel) -> str:
+    return f"{python_source(relation.lhs)} {RELATIONS[relation.func]} {_number(relation.rhs)}"
 
 
 def _number(expression: sp.Expr) -> str:
@@ -109,29 +124,98 @@ def _called(expression: sp.Expr) -> str:
 
 
 def _loop(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
-    arguments, returns = one.function.arguments, one.function.returns
-    inside = [f"{a.name} = all_{a.name}[i]" for a in arguments]
-    for symbol, expression in one.function.assignments:
-        if symbol == one.gate:
-            inside += [f"served = {_served(one)}", "unserved += not served",
-                       f"{symbol.name} = {python_source(expression)} if served else np.nan"]
-        elif _is_polynomial(expression):
-            first, *others = reversed(tables[_called(expression)].coefficients)
-            inside += [f"{symbol.name} = {correctly_rounded(first)}",
-                       *(f"{symbol.name} = {symbol.name}*{expression.args[1].name} + {correctly_rounded(c)}"
-                         for c in others)]
-        else:
-            inside.append(f"{symbol.name} = {python_source(expression)}")
-    inside += [f"place = {len(returns)}*i", *(f"out[place + {k}] = {r.name}" for k, r in enumerate(returns))]
-    renamed = _signature(one)
-    for a in arguments:
-        renamed = renamed.replace(f"{a.name}: Array", f"all_{a.name}: Array", 1)
-    head = _docstring(one)
-    for a in arguments:
-        head = head.replace(f"    {a.name} : (n,)", f"    all_{a.name} : (n,)", 1)
-    body = "\n".join(f"        {line}" for line in inside)
-    return (f"{renamed}\n{head}\n    unserved = 0\n    for i in range(all_{arguments[0].name}.size):\n{body}\n"
-            "    return unserved\n")
+    names = [a.name for a in one.function.arguments]
+    passes = _passes(one)
+    kept = _kept(one, passes)
+    lines = [f"{symbol.name} = {python_source(number)}" for symbol, number in one.function.assignments
+             if number.is_number]
+    lines += [*(f"keep_{name} = np.empty({PASS})" for name in sorted(kept)), "unserved = 0"]
+    if len(passes) == 1:
+        lines += [f"for i in range(all_{names[0]}.size):",
+                  *_indented(_pass(one, passes[0], kept, tables, "all", "out"))]
+    else:
+        width = len(one.function.returns)
+        lines += [f"for start in range(0, all_{names[0]}.size, {PASS}):",
+                  f"    stop = min(start + {PASS}, all_{names[0]}.size)",
+                  *(f"    some_{name} = all_{name}[start:stop]" for name in names),
+                  f"    some_out = out[{width}*start:{width}*stop]"]
+        for members in passes:
+            lines += ["    for i in range(stop - start):",
+                      *_indented(_pass(one, members, kept, tables, "some", "some_out"), 2)]
+    signature, head = _signature(one), _docstring(one)
+    for name in names:
+        signature = signature.replace(f"{name}: Array", f"all_{name}: Array", 1)
+        head = head.replace(f"    {name} : (n,)", f"    all_{name} : (n,)", 1)
+    return "\n".join([signature, head, *_indented(lines), "    return unserved\n"])
+
+
+def _indented(lines: list[str], depth: int = 1) -> list[str]:
+    return [" " * 4 * depth + line for line in lines]
+
+
+def _passes(one: BatchFunction) -> list[list[Assignment]]:
+    passes: list[list[Assignment]] = [[]]
+    for assignment in one.function.assignments:
+        if assignment[1].is_number:
+            continue  # stands before the loop
+        passes[-1].append(assignment)
+        if assignment[0] in one.passes:
+            passes.append([])
+    return passes
+
+
+def _needed(one: BatchFunction, members: list[Assignment]) -> set[str]:
+    """Names that a pass reads, those that it assigns itself among them."""
+    read = set().union(*(e.free_symbols - {e.args[0]} if _is_polynomial(e) else e.free_symbols for _, e in members))
+    if any(symbol == one.gate for symbol, _ in members):
+        read |= set().union(*(relation.free_symbols for relation in one.serves))
+    return {symbol.name for symbol in read}
+
+
+def _kept(one: BatchFunction, passes: list[list[Assignment]]) -> set[str]:
+    """Names that a pass assigns and a later one reads."""
+    kept: set[str] = set()
+    for k, members in enumerate(passes):
+        later = set().union(*(_needed(one, following) for following in passes[k + 1:]))
+        kept |= {symbol.name for symbol, _ in members} & later
+    return kept
+
+
+def _pass(one: BatchFunction, members: list[Assignment], kept: set[str], tables: dict[str, TruncatedSeries],
+          source: str, target: str) -> list[str]:
+    own, needed = {symbol.name for symbol, _ in members}, _needed(one, members)
+    lines = [f"{a.name} = {source}_{a.name}[i]" for a in one.function.arguments if a.name in needed]
+    lines += [f"{name} = keep_{name}[i]" for name in sorted((needed & kept) - own)]
+    for polynomials, run in groupby(members, lambda assignment: _is_polynomial(assignment[1])):
+        if polynomials:
+            lines += _horner(list(run), tables)
+            continue
+        for symbol, expression in run:
+            if symbol == one.gate:
+                lines += [f"served = {_served(one)}", "unserved += not served",
+                          f"{symbol.name} = {python_source(expression)} if served else np.nan"]
+            else:
+                lines.append(f"{symbol.name} = {python_source(expression)}")
+    lines += [f"keep_{name}[i] = {name}" for name in sorted(own & kept)]
+    returns = one.function.returns
+    if own & {r.name for r in returns}:
+        lines += [f"place = {len(returns)}*i", *(f"{target}[place + {k}] = {r.name}" for k, r in enumerate(returns))]
+    return lines
+
+
+def _horner(run: list[Assignment], tables: dict[str, TruncatedSeries]) -> list[str]:
+    """Polynomials side by side, a term of each in turn: none has to wait for the one before."""
+    columns = [[correctly_rounded(c) for c in reversed(tables[_called(e)].coefficients)] for _, e in run]
+    longest = max(map(len, columns))
+    lines = []
+    for term in range(longest):
+        for (symbol, expression), column in zip(run, columns, strict=True):
+            own = term - (longest - len(column))
+            if own == 0:
+                lines.append(f"{symbol.name} = {column[0]}")
+            elif own > 0:
+                lines.append(f"{symbol.name} = {symbol.name}*{expression.args[1].name} + {column[own]}")
+    return lines
 
 
 def _polynomial_groups(one: BatchFunction) -> list[list[Assignment]]:

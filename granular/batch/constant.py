@@ -1,0 +1,25 @@
+"""Kernels for contacts that are all equally stiff."""
+
+from __future__ import annotations
+
+from granular.batch.kernel import BlockFunction, Kernel
+
+RELATIVE_ERROR = 2.0**-49
+"""Bound of every component that is not subnormal [-]."""
+
+
+def _loop() -> BlockFunction:
+    from granular.generated.kinematic_constant_loop import kinematic_constant
+
+    return kinematic_constant
+
+
+def _block() -> BlockFunction:
+    from granular.generated.kinematic_constant_block import kinematic_constant
+
+    return kinematic_constant
+
+
+KINEMATIC = Kernel(name="constant stiffness, kinematic", inputs=("D33", "Dr33", "poisson_ratio"),
+                   relative_error=RELATIVE_ERROR, array=_block, loop=_loop)
+"""Serves the whole domain of the model."""
