@@ -47,20 +47,18 @@ _NORMALISED = ("D33", "Dr33", "stress_ratio", "friction_coefficient", "poisson_r
 _REFERENCE = ("shear_modulus", "poisson_ratio", "mean_stress", "void_ratio", "coordination_number", "length_ratio")
 
 
-def require_arrays(scene: Scene, fields: Sequence[str], outputs: Sequence[str]) -> None:
-    """Refuse a sweep that ``axial_stiffness`` does not cover.
+def require_array_options(fields: Sequence[str], outputs: Sequence[str]) -> None:
+    """Refuse a sweep over fields that ``axial_stiffness`` does not take, or for what it does not tell.
 
     Parameters
     ----------
-    scene : Scene
-        One of its points; all have the same tables and keys.
     fields, outputs : sequence of str
         What varies, and what is kept.
 
     Raises
     ------
     BadOption
-        A field, an output or a part of the scene is not covered.
+        A field or an output is not covered.
 
     Notes
     -----
@@ -72,6 +70,25 @@ def require_arrays(scene: Scene, fields: Sequence[str], outputs: Sequence[str]) 
     for output in outputs:
         if output not in OUTPUTS:
             raise _refusal(f"the output {output}", f"outputs out of {', '.join(OUTPUTS)}")
+
+
+def require_array_scene(scene: Scene) -> None:
+    """Refuse a scene of which ``axial_stiffness`` would ignore a part.
+
+    Parameters
+    ----------
+    scene : Scene
+        A point of a sweep; all have the same tables and keys.
+
+    Raises
+    ------
+    BadOption
+        A part of it is not covered.
+
+    Notes
+    -----
+    Source: the arguments of ``granular.axial_stiffness``.
+    """
     normals, branches = scene.packing.contact_normals, scene.branches
     anisotropy = None if branches is None else branches.anisotropy
     for found, there in (

@@ -16,6 +16,7 @@ from granular.reading import bytes_of
 from granular.routes.catalogue import ROUTES
 from granular.scene import Scene
 from granular.scene_file import read_toml
+from granular.sweeps.arrays import require_array_options
 from granular.sweeps.axes import Axis, read_axis
 from granular.sweeps.outputs import OUTPUTS
 from granular.sweeps.points import Points, chunk_shape
@@ -127,7 +128,10 @@ class Sweep:
                       for name, values in _items(together, places[1]))
         _require_one_dimension_each(axes, cases, places)
         chosen_engine = chosen(engine, (EVALUATE, ARRAYS), name="engine")
-        return cls(base=tables, grid=axes, together=cases, outputs=_outputs(outputs, chosen_engine),
+        kept = _outputs(outputs, chosen_engine)
+        if chosen_engine == ARRAYS:
+            require_array_options([axis.name for axis in (*axes, *cases)], kept)
+        return cls(base=tables, grid=axes, together=cases, outputs=kept,
                    engine=chosen_engine, route=chosen(route, ("auto", *ROUTES), name="route"),
                    chunk=_chunk(chunk, _count(axes, cases), chosen_engine), folder=Path(folder))
 

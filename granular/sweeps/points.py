@@ -95,7 +95,7 @@ class SceneBuilder:
         return Scene.model_validate({name: table for name, table in tables.items() if table is not None} | unknown)
 
     def table(self, name: str, values: Values) -> Table | None:
-        """Build one table, or return it where it was built before; None where the scene has none."""
+        """Build one table, or return it where it was built before; where there is none, what a scene has then."""
         key = (name, *values.items())
         if key not in self._built:
             content = self.base.get(name)
@@ -104,7 +104,8 @@ class SceneBuilder:
                 with found_at(f"{name}." if isinstance(content, Mapping) else ""):
                     self._built[key] = table_types()[name].model_validate(content)
             else:
-                self._built[key] = None
+                standard = Scene.model_fields[name]
+                self._built[key] = None if standard.is_required() else standard.get_default(call_default_factory=True)
         return self._built[key]
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from granular.errors import BadOption
 from granular.fields import chosen
 from granular.scene import Scene
-from granular.sweeps.arrays import require_arrays
+from granular.sweeps.arrays import require_array_scene
 from granular.sweeps.definition import ARRAYS, EVALUATE, Sweep
 from granular.sweeps.engine import Task
 from granular.sweeps.libraries import require_libraries
@@ -187,8 +187,7 @@ def _run(sweep: Sweep, out: Path | None, *, keep_going: bool, workers: int | Non
 
     points, chunks = sweep.points, chunks_of(sweep.shape, sweep.chunk_shape)
     if sweep.engine == ARRAYS:
-        first = SceneBuilder(points.base).scene(points.at(0))
-        require_arrays(first, [axis.name for axis in (*sweep.grid, *sweep.together)], sweep.outputs)
+        require_array_scene(SceneBuilder(points.base).scene(points.at(0)))
     require_scenes(points, keep_going=keep_going, advanced=lambda more: advanced("Checking", more, points.count))
     target = Memory(sweep) if out is None else Store(sweep, out)
     try:

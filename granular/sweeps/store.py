@@ -22,11 +22,12 @@ from granular.sweeps.dataset import COMPLETE, TITLE, array_of, dataset_of, promi
 from granular.sweeps.definition import Sweep
 from granular.sweeps.engine import Block
 from granular.sweeps.outputs import variables_of
-from granular.sweeps.points import chunks_of, shape_of
+from granular.sweeps.points import Slices, chunks_of, shape_of
 from granular.sweeps.provenance import fingerprint, hash_of
 
 if TYPE_CHECKING:
     import xarray as xr
+    from numpy.typing import NDArray
 
 LEDGER = ".ledger"
 """File in an unfinished store with one line for each finished chunk: its number, and the digest of its numbers."""
@@ -84,7 +85,7 @@ class Store:
                   for variable in self._variables}
         with _told(self.folder):
             for name, array in arrays.items():
-                self._group[name][here] = array
+                self._place(name, here, array)
             self._record(f"{number} {_digest(arrays)}\n")
         self.finished.add(number)
 
@@ -92,11 +93,10 @@ class Store:
         """Say that the store is complete where it is, and let others at it."""
         if self._ledger is None:
             return
-        with _told(self.folder):
+        with _told(self.folder), self._ledger:
             if len(self.finished) == len(self._chunks):
                 self._group.attrs[COMPLETE] = 1
-                (self.folder / LEDGER).unlink()
-            self._ledger.close()
+                self._drop_ledger()
         self._ledger = None
 
     def dataset(self) -> xr.Dataset:
@@ -147,6 +147,13 @@ class Store:
         except (OSError, RuntimeError, ValueError):  # a file that was cut short
             return None
 
+    def _place(self, name: str, here: Slices, array: NDArray[Any]) -> None:
+        """Write the part of one variable; Zarr gives the file another name until it is whole."""
+        self._group[name][here] = array
+
+    def _drop_ledger(self) -> None:
+        (self.folder / LEDGER).unlink(missing_ok=True)
+
     def _record(self, line: str) -> None:
         assert self._ledger is not None  # nothing is put into a complete store
         self._ledger.write(line)
@@ -158,7 +165,7 @@ class Store:
         for path in self.folder.rglob("*.partial"):
             path.unlink()
         if self.complete:
-            (self.folder / LEDGER).unlink(missing_ok=True)
+            self._drop_ledger()
 
 
 def attributes_in(folder: Path) -> dict[str, Any]:

@@ -168,7 +168,7 @@ def _local(processes: int) -> Iterator[Any]:
             try:
                 cluster = stack.enter_context(LocalCluster(
                     n_workers=processes, threads_per_worker=1, processes=True, host="127.0.0.1",
-                    dashboard_address=None, memory_limit=None, silence_logs=logging.CRITICAL))
+                    dashboard_address="127.0.0.1:0", memory_limit=None, silence_logs=logging.CRITICAL))
                 client = stack.enter_context(Client(cluster))
             except (OSError, RuntimeError, TimeoutError) as error:
                 raise WorkersUnusable(
