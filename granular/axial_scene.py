@@ -37,6 +37,15 @@ class AxialScene:
     axis: Axis
     recognised: bool = True
 
+    @property
+    def axis_name(self) -> str:
+        """What angles are counted from, in words."""
+        return "axis 3" if self.axis == AXIS_3 else "the axis"
+
+    def written(self, coefficient: float) -> str:
+        """A coefficient of the fabric [-] with the digits it was given with, or has after turning."""
+        return f"{coefficient:.12g}" if self.recognised else repr(coefficient)
+
     def under(self, friction: float | None) -> Loading:
         """The stress with this friction [-], None for contacts that never slip."""
         assert self.loading is not None  # every scene has a stress

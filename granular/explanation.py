@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from granular.effects.selection import rounded_up
+from granular.report_tensors import OF_LARGEST
+from granular.turning import NOT_TURNED
 
 if TYPE_CHECKING:
     from rich.console import Console, ConsoleOptions, RenderResult
@@ -15,6 +17,7 @@ if TYPE_CHECKING:
     from granular.evaluation import Evaluation
     from granular.planning import Plan
     from granular.routes.work import Work
+    from granular.turning import Turning
 
 HEADINGS = ("effect", "simulated", "without it,\nchange up to", "evaluations\nwith/without", "why")
 """Columns of the table of effects; the reasons stand below it where a terminal is not wide."""
@@ -182,11 +185,76 @@ def explained(result: Evaluation) -> dict[str, str]:
     decided = result.plan
     return {
         "route": f"{decided.route}: {decided.route_reason}",
-        "error budget": error_budget(result.route_error, decided.scaling_error, decided.left_out_error),
-        "wanted": "" if decided.rtol is None else f"{decided.rtol:.2g} of each component",
-        "evaluations": f"{result.evaluations} counted, {decided.evaluations} predicted",
-        "arithmetic": f"{arithmetic(result.work)}, {arithmetic(decided.work)} predicted",
+        "rule": "" if result.rule == decided.route else result.rule,
+        "error budget": error_budget(result.route_error, decided.scaling_error, decided.left_out_error)
+                        + turned(decided.turning),
+        "wanted": "" if decided.rtol is None else f"{decided.rtol:.2g} of {relative_to(decided)}",
+        "evaluations": f"{result.evaluations} counted, {predicted(decided)} predicted",
+        "arithmetic": "" if decided.axis is None else
+                      f"{arithmetic(result.work)}, {arithmetic(decided.work)} predicted",
     }
+
+
+def relative_to(decided: Plan) -> str:
+    """Say what errors are relative to.
+
+    Parameters
+    ----------
+    decided : Plan
+        A plan.
+
+    Returns
+    -------
+    str
+        Each component about axis 3, the largest entry of the Mandel matrix in any other frame.
+
+    Notes
+    -----
+    Source: ``granular.turning``, ``granular.effects.forms``.
+    """
+    return "each component" if decided.of_each_component else OF_LARGEST
+
+
+def predicted(decided: Plan) -> str:
+    """Say how many evaluations a plan expects.
+
+    Parameters
+    ----------
+    decided : Plan
+        A plan.
+
+    Returns
+    -------
+    str
+        Exactly, or about where the rule is halved until it agrees with itself.
+
+    Notes
+    -----
+    Source: the plan.
+    """
+    return f"{'about ' if decided.error_is == 'estimate' else ''}{decided.evaluations}"
+
+
+def turned(turning: Turning) -> str:
+    """Say what turning makes of the errors before it.
+
+    Parameters
+    ----------
+    turning : Turning
+        To axis 3 and back.
+
+    Returns
+    -------
+    str
+        Nothing for a scene that is not turned.
+
+    Notes
+    -----
+    Source: ``granular.turning``.
+    """
+    if turning == NOT_TURNED:
+        return ""
+    return f"; {turning.spread:g} times their sum and {rounded_up(turning.added)} after turning"
 
 
 def arithmetic(work: Work | None) -> str:

@@ -3,12 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from granular.explanation import EffectTable, arithmetic, effect_lines, error_budget, explained
+from granular import report_tensors
+from granular.explanation import (
+    EffectTable,
+    arithmetic,
+    effect_lines,
+    error_budget,
+    explained,
+    predicted,
+    relative_to,
+    turned,
+)
 from granular.hypothesis import Hypothesis
+from granular.layout import aligned, facts, grid, lines, pressure, title, unit_for
 from granular.number_of_contacts import PER_CUBIC_METRE, PER_DIAMETER_CUBED
+from granular.tensors import shown_direction
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -32,9 +44,7 @@ MEANING = {
 }
 """The six components in words; axis 3 is vertical."""
 
-_PREFIXES = ((1e10, 1e9, "GPa"), (1e6, 1e6, "MPa"), (1e3, 1e3, "kPa"))
 _LONGEST_FRACTION = 48
-_INDENT = (0, 0, 0, 2)
 
 
 def evaluation_as_json(result: Evaluation) -> dict[str, Any]:
@@ -54,9 +64,13 @@ def evaluation_as_json(result: Evaluation) -> dict[str, Any]:
     -----
     Source: the command line's interface.
     """
+    about_axis_3 = result.plan.of_each_component
+    components = result.stiffness.components if about_axis_3 else report_tensors.constants(result)
     content: dict[str, Any] = {
-        "stiffness": {**result.stiffness.components, "mandel": [list(row) for row in result.stiffness.rows]},
+        "stiffness": {**components, "mandel": [list(row) for row in result.stiffness.rows]},
         "relative_error": _finite(result.relative_error),
+        "error_is": None if math.isinf(result.relative_error) else result.error_is,
+        "axis": None if result.axis is None else list(result.axis),
         "reference_stiffness": result.reference_stiffness,
         "hypothesis": str(result.hypothesis),
         "route": result.route,
@@ -75,8 +89,12 @@ def evaluation_as_json(result: Evaluation) -> dict[str, Any]:
             "second_moment": lengths.second, "inverse_second_moment": lengths.inverse_second}
     if (free := result.shear_with_free_spin) is not None:
         content["C2323_with_free_spin"] = free
-    if (waves := result.waves) is not None:
+    if not about_axis_3:
+        content |= report_tensors.as_json(result)
+    if about_axis_3 and (waves := result.waves) is not None:
         content["waves"] = _waves_as_json(waves)
+    elif (general := result.general_waves) is not None and not about_axis_3:
+        content["waves"] = report_tensors.waves_as_json(general)
     return content
 
 
@@ -99,8 +117,11 @@ def _finite(bound: float) -> float | None:
     return None if math.isinf(bound) else bound
 
 
-def _bound(bound: float) -> str:
-    return "none is promised by this route" if math.isinf(bound) else f"{bound:.2g} of each component"
+def _error(decided: Plan, error: float) -> dict[str, str]:
+    """The error under a name that says what it is, and of what."""
+    if math.isinf(error):
+        return {"error bound": "none is promised by this route"}
+    return {f"error {decided.error_is}": f"{error:.2g} of {relative_to(decided)}"}
 
 
 def plan_as_json(decided: Plan) -> dict[str, Any]:
@@ -126,7 +147,10 @@ def plan_as_json(decided: Plan) -> dict[str, Any]:
         "route_reason": decided.route_reason,
         "evaluations": decided.evaluations,
         "work": _work(decided.work),
+        "evaluations_are": "counted" if decided.error_is == "bound" else "predicted",
         "relative_error": _finite(decided.relative_error),
+        "error_is": None if math.isinf(decided.relative_error) else decided.error_is,
+        "axis": None if decided.axis is None else list(decided.axis),
         "rtol": decided.rtol,
         "effects": {"simulated": list(decided.effects_simulated), "called_for": decided.called_for,
                     "not_called_for": decided.effects_not_called_for},
@@ -156,21 +180,16 @@ def evaluation_as_text(result: Evaluation, *, explain: bool = False) -> list[Ren
     -----
     Source: the command line's interface.
     """
-    from rich.text import Text
-
     blocks: list[RenderableType] = [
-        _title(f"Stiffness by the {result.hypothesis} hypothesis ({BOUND[result.hypothesis]})"),
-        _components(result), "",
-        *(Text(f"  {_ratio(ratio)}", overflow="fold") for ratio in result.ratios), "",
-        _title("Engineering constants"), _engineering(result), "",
-    ]
-    if (waves := result.waves) is not None:
-        blocks += [_title(f"Waves in the dry assembly, {waves.density:.6g} kg/m^3"), _wave_table(waves), ""]
-    blocks += [_title("How it was computed"), _facts({
-        "error bound": _bound(result.relative_error),
-        **(explained(result) if explain else
-           {"route": f"{result.route} ({result.evaluations} evaluations of the integrand)"}),
-        "unit": f"(M/V) l_e^2 k_n,ref = {_pressure(result.reference_stiffness)}",
+        title(f"Stiffness by the {result.hypothesis} hypothesis ({BOUND[result.hypothesis]})"),
+        *(_about_axis_3(result) if result.plan.of_each_component else report_tensors.stiffness_blocks(result)),
+        *_waves(result)]
+    evaluations = f"{result.evaluations} evaluations of the integrand"
+    by = "" if result.rule == result.route else f"by the rule {result.rule}, "
+    blocks += [title("How it was computed"), facts({
+        **_error(result.plan, result.relative_error),
+        **(explained(result) if explain else {"route": f"{result.route} ({by}{evaluations})"}),
+        "unit": f"(M/V) l_e^2 k_n,ref = {pressure(result.reference_stiffness)}",
         "contacts": f"{result.contacts_per_volume:.7g} {CONTACTS[result.contacts_per_volume_unit]}",
         "grain sizes": _sizes(result),
         "spin": _spin(result),
@@ -196,32 +215,48 @@ def plan_as_text(decided: Plan) -> list[RenderableType]:
     -----
     Source: the command line's interface.
     """
-    return [_title("What run would do"), _facts({
+    return [title("What run would do"), facts({
         "hypothesis": f"{decided.hypothesis} ({BOUND[decided.hypothesis]})",
         "route": f"{decided.route}: {decided.route_reason}",
-        "cost": f"{decided.evaluations} evaluations of the integrand; {arithmetic(decided.work)}",
-        "error bound": _bound(decided.relative_error)
-                       + ("" if decided.rtol is None else f", wanted {decided.rtol:.2g}"),
-        "error budget": error_budget(decided.route_error, decided.scaling_error, decided.left_out_error),
+        "axis": _axis(decided),
+        "cost": f"{predicted(decided)} evaluations of the integrand"
+                + ("" if decided.axis is None else f"; {arithmetic(decided.work)}"),
+        **{name: text + ("" if decided.rtol is None else f", wanted {decided.rtol:.2g}")
+           for name, text in _error(decided, decided.relative_error).items()},
+        "error budget": error_budget(decided.route_error, decided.scaling_error, decided.left_out_error)
+                        + turned(decided.turning),
     }), *_effect_table(decided)]
 
 
 def _effect_table(decided: Plan) -> list[RenderableType]:
-    return ["", _title("Effects, and how much each component would change at most without them"),
+    change = ("each component" if decided.axis is not None else "any component, over the largest,")
+    about = "" if decided.axis is None or decided.of_each_component else " about the axis"
+    return ["", title(f"Effects, and how much {change}{about} would change at most without them"),
             EffectTable(effect_lines(decided))]
 
 
-def _title(text: str) -> RenderableType:
+def _about_axis_3(result: Evaluation) -> list[RenderableType]:
+    """Six components, their two ratios, and moduli."""
     from rich.text import Text
 
-    return Text(text, style="bold")
+    return [_components(result), "",
+            *(Text(f"  {_ratio(ratio)}", overflow="fold") for ratio in result.ratios), "",
+            title("Engineering constants"), _engineering(result), ""]
+
+
+def _waves(result: Evaluation) -> list[RenderableType]:
+    if not result.plan.of_each_component:
+        return [] if (general := result.general_waves) is None else report_tensors.wave_blocks(general)
+    if (waves := result.waves) is None:
+        return []
+    return [title(f"Waves in the dry assembly, {waves.density:.6g} kg/m^3"), _wave_table(waves), ""]
 
 
 def _components(result: Evaluation) -> RenderableType:
     six = result.stiffness.components
-    size, unit = _unit(max(six.values()))
-    numbers = _aligned(f"{value / size:.7g}" for value in six.values())
-    return _grid((name, number, unit, MEANING[name]) for name, number in zip(six, numbers, strict=True))
+    size, unit = unit_for(max(six.values()))
+    numbers = aligned(f"{value / size:.7g}" for value in six.values())
+    return grid((name, number, unit, MEANING[name]) for name, number in zip(six, numbers, strict=True))
 
 
 def _ratio(ratio: Ratio) -> str:
@@ -238,10 +273,10 @@ def _ratio(ratio: Ratio) -> str:
 
 def _engineering(result: Evaluation) -> RenderableType:
     constants = result.engineering
-    size, unit = _unit(max(constants.E1, constants.E3))
+    size, unit = unit_for(max(constants.E1, constants.E3))
     moduli = {"E1": constants.E1, "E3": constants.E3, "K": constants.K, "G12": constants.G12, "G23": constants.G23}
     ratios = {"nu12": constants.nu12, "nu13": constants.nu13, "nu31": constants.nu31}
-    return _lines(
+    return lines(
         "  ".join(f"{name} {value / size:.5g}" for name, value in moduli.items()) + f"  {unit}",
         "  ".join(f"{name} {value:.5g}" for name, value in ratios.items()))
 
@@ -252,7 +287,7 @@ def _wave_table(waves: Waves) -> RenderableType:
 
     thomsen = waves.thomsen
     delta = "has no value" if thomsen.delta is None else f"{thomsen.delta:.5g}"
-    return _lines(
+    return lines(
         row("vertical", waves.vertical), row("horizontal", waves.horizontal),
         f"{'Thomsen':<11}epsilon {thomsen.epsilon:.5g}  gamma {thomsen.gamma:.5g}  delta {delta}",
         f"{'fastest S':<11}{waves.fastest_shear.polarisation} {waves.fastest_shear.speed:.5g} m/s, "
@@ -271,12 +306,21 @@ def _sizes(result: Evaluation) -> str:
             "grains; far from 1 it is not to be trusted, see the book)")
 
 
+def _axis(decided: Plan) -> str:
+    """The axis, where it is not axis 3."""
+    if decided.axis is None:
+        return "none: fabric and stress share no axis"
+    return "" if decided.of_each_component else f"n = {shown_direction(decided.axis)}, turned to axis 3 and back"
+
+
 def _spin(result: Evaluation) -> str:
     free = result.shear_with_free_spin
+    if not result.plan.of_each_component:
+        return ""
     if free is None:
         return "each grain spins until it carries no net couple" if result.plan.fabric.free_spin else ""
     return ("grains turn with the mean deformation; if each spun until it carried no net couple, "
-            f"C2323 would be {_pressure(free)}")
+            f"C2323 would be {pressure(free)}")
 
 
 def _effects(decided: Plan) -> dict[str, str]:
@@ -288,46 +332,3 @@ def _effects(decided: Plan) -> dict[str, str]:
             "left out": listed({name: decided.effects_not_called_for[name] for name in spent}),
             "not called for": listed({name: reason for name, reason in decided.effects_not_called_for.items()
                                       if name not in spent})}
-
-
-def _pressure(value: float) -> str:
-    size, unit = _unit(value)
-    return f"{value / size:.7g} {unit}"
-
-
-def _unit(largest: float) -> tuple[float, str]:
-    """A unit in which the largest value is easy to read."""
-    for least, size, unit in _PREFIXES:
-        if least <= largest < 1e16:
-            return size, unit
-    return 1.0, "Pa"
-
-
-def _aligned(numbers: Iterable[str]) -> list[str]:
-    """Pad so that decimal points stand below each other."""
-    parts = [number.partition(".") for number in numbers]
-    left = max(len(whole) for whole, _, _ in parts)
-    right = max(len(rest) for _, _, rest in parts)
-    return [f"{whole:>{left}}{point or ' '}{rest:<{right}}" for whole, point, rest in parts]
-
-
-def _lines(*lines: str) -> RenderableType:
-    from rich.padding import Padding
-    from rich.text import Text
-
-    return Padding(Text("\n".join(lines)), _INDENT)
-
-
-def _grid(rows: Iterable[tuple[str, ...]]) -> RenderableType:
-    from rich.padding import Padding
-    from rich.table import Table
-    from rich.text import Text
-
-    grid = Table.grid(padding=(0, 2, 0, 0))
-    for row in rows:
-        grid.add_row(*(Text(cell) for cell in row))
-    return Padding(grid, _INDENT)
-
-
-def _facts(facts: Mapping[str, str]) -> RenderableType:
-    return _grid((name, text) for name, text in facts.items() if text)

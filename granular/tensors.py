@@ -163,7 +163,7 @@ def shown_direction(direction: Sequence[float]) -> str:
     """
     largest = max(direction, key=abs)
     sign = -1.0 if largest < 0 else 1.0
-    return "(" + ", ".join(f"{0.0 + round(sign * value, 8):.4g}" for value in direction) + ")"
+    return "(" + ", ".join(f"{0.0 + round(sign * value, 6):.4g}" for value in direction) + ")"
 
 
 def span(name: str, tensor: Tensor) -> str:

@@ -19,10 +19,11 @@ if TYPE_CHECKING:
 
 
 def _called_for(scene: Scene) -> Called:
-    Dr33 = scene.about_axis.fabric.Dr33
+    about = scene.about_axis
+    Dr33 = about.fabric.Dr33
     if Dr33 == 0.0:
         return Called(False, "branch lengths are the same in every direction")
-    return Called(True, f"branch lengths with anisotropy D33 = {Dr33!r}")
+    return Called(True, f"branch lengths with anisotropy D33 = {about.written(Dr33)}")
 
 
 def _add_to_fabric(scene: Scene, fabric: AxialFabric) -> AxialFabric:

@@ -51,7 +51,7 @@ def _sliding_range(scene: Scene, equator: Fraction, pole: Fraction, friction: fl
         return _sticking(geometry.kappa)
     low, high = (math.degrees(math.atan(edge)) if edge is not None else end
                  for edge, end in ((geometry.pole, 0.0), (geometry.equator, 90.0)))
-    return f"; from {low:.4g} to {high:.4g} deg from axis 3 they slide"
+    return f"; from {low:.4g} to {high:.4g} deg from {scene.about_axis.axis_name} they slide"
 
 
 def _sticking(used: float) -> str:

@@ -115,8 +115,9 @@ def test_json_is_one_object_and_nothing_else(command):
     code, out, err = command("run", SCENES / "wave_speeds.toml", "--json")
     content = json.loads(out)
     assert (code, err) == (0, "")
-    assert {"stiffness", "relative_error", "reference_stiffness", "hypothesis", "route", "evaluations", "effects",
-            "work", "contacts_per_volume", "contacts_per_volume_unit", "waves"} == set(content)
+    assert {"stiffness", "relative_error", "error_is", "axis", "reference_stiffness", "hypothesis", "route",
+            "evaluations", "effects", "work", "contacts_per_volume", "contacts_per_volume_unit",
+            "waves"} == set(content)
     assert [len(row) for row in content["stiffness"]["mandel"]] == [6] * 6
     assert "NaN" not in out and "Infinity" not in out
 

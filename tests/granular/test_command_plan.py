@@ -34,8 +34,8 @@ def test_plan_explains_and_computes_nothing(command, monkeypatch):
         assert part in out
     content = json.loads(command("plan", SCENES / "table_ii_3.toml", "--json")[1])
     assert content["effects"]["simulated"] == ["packing", "branches"]
-    assert set(content) == {"hypothesis", "route", "route_reason", "evaluations", "relative_error", "rtol", "effects",
-                            "bounds", "costs", "left_out_error", "work"}
+    assert set(content) == {"hypothesis", "route", "route_reason", "evaluations", "evaluations_are", "relative_error",
+                            "error_is", "axis", "rtol", "effects", "bounds", "costs", "left_out_error", "work"}
     assert set(content["bounds"]) == set(content["costs"]) == {"packing", "branches", "kinetic"}
     assert content["left_out_error"] == 0.0
 

@@ -258,8 +258,10 @@ def test_json_holds_the_whole_answer():
     # Breaks when a key of the interface is lost, a number is rounded, or the matrix is not the components.
     result = granular.evaluate(scene(0.3, -0.3, grains={"density": 2650}))
     content = json.loads(json.dumps(evaluation_as_json(result), allow_nan=False))
-    assert set(content) == {"stiffness", "relative_error", "reference_stiffness", "hypothesis", "route", "evaluations",
-                            "work", "effects", "contacts_per_volume", "contacts_per_volume_unit", "waves"}
+    assert set(content) == {"stiffness", "relative_error", "error_is", "axis", "reference_stiffness", "hypothesis",
+                            "route", "evaluations", "work", "effects", "contacts_per_volume",
+                            "contacts_per_volume_unit", "waves"}
+    assert (content["error_is"], content["axis"]) == ("bound", [0.0, 0.0, 1.0])
     assert content["work"] == {"operations": 103, "functions": 0}  # what the emitted form says of itself
     for name in ("relative_error", "reference_stiffness", "hypothesis", "route", "evaluations", "contacts_per_volume",
                  "contacts_per_volume_unit"):
