@@ -83,6 +83,20 @@ def plan(scene: SceneFile, rtol: Accuracy = None, route: RouteName = "auto", jso
 
 
 @app.command()
+def sensitivity(scene: SceneFile, json: AsJson = False) -> None:
+    """How much each component changes with each number of a scene."""
+    from granular.derivatives import sensitivity as differentiate
+    from granular.derivatives.report import sensitivity_as_json, sensitivity_as_text
+    from granular.scene import Scene
+
+    result = differentiate(Scene.from_toml(scene))
+    if json:
+        _print_json(sensitivity_as_json(result))
+    else:
+        _print_blocks(sensitivity_as_text(result))
+
+
+@app.command()
 def plot(
     scene: SceneFile,
     what: Annotated[str, typer.Option(
@@ -156,21 +170,27 @@ def contacts(
         "--poisson-ratio", metavar="NU", help="Of the grains.")] = None,
     friction: Annotated[float | None, typer.Option(
         "--friction", metavar="MU", help="Friction coefficient between grains, to count contacts that slide.")] = None,
-    figure: Annotated[Path | None, typer.Option(
-        "--plot", metavar="OUT", help="Draw the list too: SVG, PNG or PDF.")] = None,
+    figure: Annotated[str | None, typer.Option(
+        "--plot", metavar="NAME", help="Draw the list, too, into --out: roses, forces, stiffness or all.")] = None,
     compare: Annotated[Path | None, typer.Option(
         "--compare", metavar="FOLDER", help="Instead, compare every packing of a folder with its measured stiffness; "
                                             "exit code 1 where eq. (1) is off.")] = None,
     out: Annotated[Path | None, typer.Option(
-        "--out", metavar="OUT", help="With --compare: write the comparison as JSON.")] = None,
+        "--out", metavar="FILE", help="With --plot: the figure, SVG, PNG, PDF or HTML. With --compare: the comparison "
+                                      "as JSON.")] = None,
     json: AsJson = False,
 ) -> None:
     """Fabric, forces and stiffness of a contact list, and what the model makes of it."""
     from granular.contacts.command import compare_to, summary_of
 
-    if compare is None and out is not None:
-        raise BadOption(f"--out {out} without --compare", allowed="allowed with --compare",
-                        remedy="Send the result of a list to a file with --json > FILE.")
+    if compare is None and (out is None) != (figure is None):
+        given = f"--out {out} without --plot or --compare" if figure is None else f"--plot {figure} without --out"
+        raise BadOption(given, allowed="allowed together", remedy="Write it like --plot all --out contacts.svg, or "
+                        "send the result of a list to a file with --json > FILE.")
+    if figure is not None and out is not None and compare is None:
+        from granular.figures.contact_list import checked_target
+
+        checked_target(figure, out)
     if compare is not None:
         if file is not None or figure is not None:
             raise BadOption("a contact list or a figure is named with --compare", allowed="allowed one or the other",
@@ -184,10 +204,10 @@ def contacts(
     summary = summary_of(file, volume=volume, grains=grains, columns=column or (), step=step, spheres_only=spheres,
                          drop_bad=drop_bad, cell=cell, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio,
                          friction=friction)
-    if figure is not None:
+    if figure is not None and out is not None:
         from granular.figures.contact_list import save_contact_list
 
-        save_contact_list(summary, figure)
+        save_contact_list(summary, out, figure)
     if json:
         from granular.contacts.as_json import summary_as_json
 

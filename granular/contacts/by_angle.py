@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from granular.contacts.moments import NORMALS
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -27,15 +29,15 @@ class ByAngle:
 
     Attributes
     ----------
-    contacts : (18,) array
-        Contacts in each class [-].
+    contacts, branches : (18,) array
+        Contacts in each class by the angle of their normal, and by that of their branch [-].
     """
 
     def __init__(self) -> None:
         """Begin without contacts."""
         import numpy as np
 
-        self.contacts = np.zeros(CLASSES)
+        self.contacts, self.branches = np.zeros(CLASSES), np.zeros(CLASSES)
         self._sums = {name: np.zeros((2, CLASSES)) for name in QUANTITIES}
         self._given: set[str] = set()
 
@@ -55,9 +57,7 @@ class ByAngle:
         """
         import numpy as np
 
-        cosine = np.abs(block.normal[2])
-        across = np.hypot(block.normal[0], block.normal[1])
-        place = np.minimum((np.degrees(np.arctan2(across, cosine)) / STEP).astype(np.int64), CLASSES - 1)
+        cosine, place = np.abs(block.normal[2]), _classes(block.normal)
         length = np.sqrt(np.sum(block.branch**2, axis=0))
         values: dict[str, Array | None] = {
             "x2": cosine**2, "length": length, "inverse_length": 1 / length, "normal_force": block.normal_force,
@@ -65,6 +65,7 @@ class ByAngle:
             "meridian_force": None if block.shear_force is None else _towards_axis(block.normal, block.shear_force),
             "kn": None if stiffness is None else stiffness[0], "ks": None if stiffness is None else stiffness[1]}
         self.contacts += np.bincount(place, minlength=CLASSES)
+        self.branches += np.bincount(_classes(block.branch), minlength=CLASSES)
         for name, value in values.items():
             if value is not None:
                 self._given.add(name)
@@ -88,7 +89,7 @@ class ByAngle:
         Source: sums add.
         """
         wide = ByAngle()
-        wide.contacts = self.contacts.reshape(-1, by).sum(axis=1)
+        wide.contacts, wide.branches = (counts.reshape(-1, by).sum(axis=1) for counts in (self.contacts, self.branches))
         wide._sums = {name: sums.reshape(2, -1, by).sum(axis=2) for name, sums in self._sums.items()}
         wide._given = set(self._given)
         return wide
@@ -151,8 +152,32 @@ class ByAngle:
             found: Array = np.sqrt(np.maximum(self._sums[name][1] / self.contacts - mean**2, 0.0))
         return found
 
-    def relative_density(self) -> Array:
+    def counted(self, directions: str = NORMALS) -> Array:
+        """Contacts in each class.
+
+        Parameters
+        ----------
+        directions : str
+            By the angle of their "normals" or "branches".
+
+        Returns
+        -------
+        (k,) array
+            How many [-].
+
+        Notes
+        -----
+        Source: counting.
+        """
+        return self.contacts if directions == NORMALS else self.branches
+
+    def relative_density(self, directions: str = NORMALS) -> Array:
         """Contacts of each class over those that an isotropic list of the same number would have.
+
+        Parameters
+        ----------
+        directions : str
+            By the angle of their "normals" or "branches".
 
         Returns
         -------
@@ -166,8 +191,18 @@ class ByAngle:
         import numpy as np
 
         share = -np.diff(np.cos(np.radians(self.degrees)))
-        found: Array = self.contacts / (self.contacts.sum() * share)
+        counts = self.counted(directions)
+        found: Array = counts / (counts.sum() * share)
         return found
+
+
+def _classes(vectors: Array) -> NDArray[np.int64]:
+    """The class of each vector by its angle from axis 3."""
+    import numpy as np
+
+    angle = np.degrees(np.arctan2(np.hypot(vectors[0], vectors[1]), np.abs(vectors[2])))
+    found: NDArray[np.int64] = np.minimum((angle / STEP).astype(np.int64), CLASSES - 1)
+    return found
 
 
 def _towards_axis(normal: Array, shear: Array) -> Array:

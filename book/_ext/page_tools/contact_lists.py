@@ -215,8 +215,8 @@ def list_figure() -> Static:
 
 def _faults() -> dict[str, Callable[[], object]]:
     """What a list may have wrong, and a list that has it."""
-    def text(*rows: str, name: str = "list.csv") -> Callable[[], object]:
-        return _of_file(name, "\n".join(rows).encode() + b"\n")
+    def text(*rows: str, name: str = "list.csv", grains: int | None = None) -> Callable[[], object]:
+        return _of_file(name, "\n".join(rows).encode() + b"\n", grains)
 
     whole = gzip.compress("\n".join([_HEAD, _ROW]).encode(), mtime=0)
     return {
@@ -227,6 +227,8 @@ def _faults() -> dict[str, Callable[[], object]]:
         "a normal that is no unit vector": text(_HEAD, "1,2,0.002,0,0,0.9,0,0,0.3"),
         "a branch against its normal": text(_HEAD, "1,2,0.002,0,0,-1,0,0,0.3"),
         "a tensile force": text(_HEAD, "1,2,0.002,0,0,1,0,0,-0.3"),
+        "a branch that lacks its period": text(_HEAD + ",R1,R2", "1,2,0.018,0,0,1,0,0,0.3,0.001,0.001"),
+        "a volume that cannot hold the grains": text(_HEAD + ",R1,R2", "1,2,2,0,0,1,0,0,0.3,1,1", grains=2),
         "a negative overlap": text(_HEAD + ",overlap", _ROW + ",-1e-6"),
         "a contact listed from both sides": text(_HEAD, _ROW, "2,1,-0.002,0,0,-1,0,0,0.3"),
         "a row that is cut off": text(_HEAD, _ROW, "1,3,0,0.002"),
@@ -280,11 +282,11 @@ def _wrapped(line: str) -> str:
     return " \\\n".join(glued).replace("\1", " ")
 
 
-def _of_file(name: str, content: bytes) -> Callable[[], object]:
+def _of_file(name: str, content: bytes, grains: int | None = None) -> Callable[[], object]:
     def tried() -> object:
         with tempfile.TemporaryDirectory() as folder, chdir(folder):
             Path(name).write_bytes(content)
-            return summarise(name, volume=1e-6)
+            return summarise(name, volume=1e-6, grains=grains)
     return tried
 
 
