@@ -7,12 +7,10 @@ make what a page of the book shows.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from granular.errors import FigureNotKnown, MissingKey
+from granular.errors import FigureNotKnown
 from granular.figures.book import (
     admissible_region,
     figure_5,
@@ -41,6 +39,7 @@ from granular.figures.book_grains import (
     spin_and_shear,
     touching_spheroids,
 )
+from granular.figures.scene_figure import SceneFigure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -76,25 +75,6 @@ __all__ = [
     "table_ii_waves",
     "touching_spheroids",
 ]
-
-
-@dataclass(frozen=True, slots=True)
-class SceneFigure:
-    """One figure that any scene has.
-
-    Attributes
-    ----------
-    title : str
-        What it shows, one line.
-    static : callable
-        Takes a scene, gives a matplotlib figure.
-    interactive : callable
-        Takes a scene, gives a plotly figure.
-    """
-
-    title: str
-    static: Callable[[Scene], Figure]
-    interactive: Callable[[Scene], Any]
 
 
 def _fabric(scene: Scene) -> Figure:
@@ -137,12 +117,10 @@ def _waves_interactive(scene: Scene) -> Any:
 
 def _wave_speeds(scene: Scene) -> Any:
     from granular.evaluation import evaluate
+    from granular.figures.waves import required_density
 
-    speeds = evaluate(scene).waves
-    if speeds is None:
-        raise MissingKey("grains.density is missing", allowed="needed: a density, for wave speeds",
-                         remedy='Give it, for example density = "2650 kg/m^3", or draw another figure.')
-    return speeds
+    required_density(scene.grains.density)
+    return evaluate(scene).waves
 
 
 def _forces(scene: Scene) -> Figure:
@@ -183,7 +161,7 @@ SCENE_FIGURES: dict[str, SceneFigure] = {
     "contacts": SceneFigure("normal and shear stiffness of the contacts against the angle from axis 3", _contacts,
                             _contacts_interactive),
 }
-"""Figures by name."""
+"""Figures by name, of scenes that are symmetric about axis 3; ``granular.figures.without_axis`` has those of others."""
 
 
 def save(scene: Scene, *, what: str, out: str | os.PathLike[str]) -> Path:
@@ -216,13 +194,14 @@ def save(scene: Scene, *, what: str, out: str | os.PathLike[str]) -> Path:
     Notes
     -----
     Accuracy: curves and surfaces are drawn from the values of ``granular.evaluate``; forces and stiffnesses of the
-    contacts, whatever effects the scene asks for, from those of ``granular.contact_distribution``.
+    contacts, whatever effects the scene asks for, from those of ``granular.contact_distribution``. A scene that is not
+    symmetric about axis 3 is drawn over the sphere, in the frame of its tensors.
     Source: the interface of ``granular plot``.
     """
     from granular.figures import files
 
     path = files.target(out)
-    figure = _scene_figure(what)
+    figure = _scene_figure(scene, what)
     if path.suffix.lower() == files.INTERACTIVE_SUFFIX:
         files.write(path, lambda: files.whole_page(figure.interactive(scene), what, figure.title))
     else:
@@ -230,8 +209,12 @@ def save(scene: Scene, *, what: str, out: str | os.PathLike[str]) -> Path:
     return path
 
 
-def _scene_figure(what: str) -> SceneFigure:
+def _scene_figure(scene: Scene, what: str) -> SceneFigure:
     if what not in SCENE_FIGURES:
         raise FigureNotKnown(f"what = {what!r}", allowed=f"allowed: {', '.join(SCENE_FIGURES)}",
                              remedy="Name one of these figures.")
-    return SCENE_FIGURES[what]
+    if scene.axial:
+        return SCENE_FIGURES[what]
+    from granular.figures.without_axis import FIGURES
+
+    return FIGURES[what]

@@ -11,7 +11,7 @@ from granular.contact_law import stiffness_ratio
 from granular.figures.by_direction import by_direction
 from granular.figures.cones import plotly_band
 from granular.figures.look import BLUE, INK, ORANGE, SKY, SOFT_INK, VERMILION, plotly_layout, readable
-from granular.figures.surfaces import TO_TURN, plotly_axes, plotly_space, surface
+from granular.figures.surfaces import TO_TURN, at_pointer, plotly_axes, plotly_space, surface
 
 if TYPE_CHECKING:
     import numpy as np
@@ -149,7 +149,8 @@ def _add_surfaces(figure: Any, limits: Limits, shown: list[tuple[str, str, Radiu
     for number, (_, symbol, radius, colour) in enumerate(shown):
         points = surface(radius, TO_TURN)
         reach = max(reach, float(points.radius.max()))
-        x, y, z, distance = (array.astype(np.float32) for array in (points.x, points.y, points.z, points.radius))
+        x, y, z, distance = (array.astype(np.float32) for array in (
+            points.x, points.y, points.z, at_pointer(points.radius)))
         figure.add_trace(graph_objects.Surface(
             x=x, y=y, z=z, customdata=distance, showscale=False, colorscale=[[0, colour], [1, colour]],
             visible=number == 0, lighting={"ambient": 0.65, "diffuse": 0.6, "specular": 0.05},

@@ -54,7 +54,7 @@ def fabric_figure(fabric: AxialFabric) -> Figure:
     draw_section(section, lambda cosine: 1 + 0 * cosine, SOFT_INK, line=":")
     draw_section(section, density, BLUE)
     draw_section(section, weight, VERMILION, line="--")
-    frame_section(section, 1.12 * greatest, "–")
+    frame_section(section, 1.12 * greatest, across="horizontal [–]", upward="along axis 3 [–]")
     for place, text, colour in ((0.0, "$4\\pi E$", BLUE), (0.5, "isotropic", SOFT_INK), (1.0, branches, VERMILION)):
         section.text(place, 1.02, text, color=readable(colour), transform=section.transAxes, va="bottom",
                      ha={0.0: "left", 0.5: "center", 1.0: "right"}[place])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from granular.figures.look import BLUE, INK, SKY, SOFT_INK, VERMILION, blank, house_style, readable
+from granular.figures.surfaces import frame_section
 
 if TYPE_CHECKING:
     import numpy as np
@@ -80,7 +81,7 @@ def rose(directions: ArrayLike, weights: ArrayLike | None = None, *, axis: Array
             x, y = (np.sin(turn), np.cos(turn)) if from_top else (np.cos(turn), np.sin(turn))
             axes.plot(curve(rank) * x, curve(rank) * y, color=colour, linestyle=line, linewidth=1.4)
         reach = max(float((bins.density + ERRORS * bins.error).max()), float(curve(4).max()), float(curve(2).max()))
-        _frame(axes, 1.06 * reach, f"{across} [–]", f"{upward} [–]")
+        frame_section(axes, 1.06 * reach, across=f"{across} [–]", upward=f"{upward} [–]", ticks=5)
         axes.set_title(title, pad=4)
     for left, text, colour in ((0.085, "counted", SKY), (0.28, "isotropic", SOFT_INK),
                                (0.5, "implied, rank two", BLUE), (0.76, "implied, rank four", VERMILION)):
@@ -111,13 +112,3 @@ def _points(angle: Array, radius: float | Array, *, from_top: bool, centre: bool
     x, y = radius * np.cos(angle), radius * np.sin(angle)
     points = np.stack([y, x] if from_top else [x, y], axis=1)
     return np.concatenate([[[0.0, 0.0]], points]) if centre else points
-
-
-def _frame(axes: Axes, side: float, across: str, upward: str) -> None:
-    """Equal scales, and ticks that count outwards from the centre."""
-    from matplotlib.ticker import FuncFormatter, MaxNLocator
-
-    axes.set(aspect="equal", xlim=(-side, side), ylim=(-side, side), xlabel=across, ylabel=upward)
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(5, symmetric=True))
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{abs(value):g}"))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
+from granular.figures.hemisphere import MERIDIANS, frame_map, half_sphere, on_half_sphere, projected
 from granular.figures.look import BLUE, INK, MAP, VERMILION, blank, house_style, readable
 
 if TYPE_CHECKING:
@@ -139,15 +141,18 @@ def _sphere(axes: Axes, bar: Axes, fabric: GeneralFabric, loading: GeneralLoadin
     from granular.general.loading import contact_stiffness
 
     found = general_stiffness(fabric, poisson_ratio=poisson_ratio, hypothesis="kinematic", loading=loading, rtol=SHOWN)
-    beta, azimuth = np.meshgrid(np.linspace(0, np.pi / 2, 61), np.linspace(0, 2 * np.pi, 145))
-    n = np.stack([np.sin(beta) * np.cos(azimuth), np.sin(beta) * np.sin(azimuth), np.cos(beta)])
-    flat, across, up = n.reshape(3, -1), *_projected(n)
-    shades = axes.contourf(across, up, along(found.stiffness(), flat).reshape(beta.shape), levels=12, cmap=MAP)
+    across, up = projected(half_sphere())
+    shades = axes.contourf(across, up, on_half_sphere(partial(along, found.stiffness())), levels=12, cmap=MAP)
     bar.figure.colorbar(shades, cax=bar, format="%.3g", ticks=MaxNLocator(5)).outline.set_visible(False)
-    normal, shear, _ = contact_stiffness(loading.force_tensor(fabric), loading.friction, flat, poisson_ratio)
-    sticks = (shear - NO_SHEAR * normal).reshape(beta.shape)
+    forces = loading.force_tensor(fabric)
+
+    def sticking(n: Array) -> Array:
+        normal, shear, _ = contact_stiffness(forces, loading.friction, n, poisson_ratio)
+        return shear - NO_SHEAR * normal
+
+    sticks = on_half_sphere(sticking)
     axes.contour(across, up, sticks, levels=[0.0], colors="white", linestyles="--", linewidths=1.2)
-    meridian = NAMED_AT * (azimuth.shape[0] - 1) // 360
+    meridian = NAMED_AT * (MERIDIANS - 1) // 360
     if (sticks[meridian] < 0).any():
         middle = int(np.flatnonzero(sticks[meridian] < 0).mean())
         axes.text(float(across[meridian, middle]), float(up[meridian, middle]), "slide",
@@ -157,25 +162,13 @@ def _sphere(axes: Axes, bar: Axes, fabric: GeneralFabric, loading: GeneralLoadin
     for direction, sign, text in (((0.0, 0.0, 1.0), "o", "stress"),
                                   ((np.sin(turn), 0.0, np.cos(turn)), "s", "fabric"),
                                   (symmetry.axis, "D", "nearest axis")):
-        x, y = _projected(np.array(direction))
+        x, y = projected(np.array(direction))
         axes.plot(x, y, sign, color="white", markeredgecolor=INK, markersize=6)
         below = text == "nearest axis"
         axes.annotate(text, (x, y), (0, -8 if below else 8), textcoords="offset points", color=INK, fontsize=8.5,
                       ha="center", va="top" if below else "bottom",
                       bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.75})
-    axes.plot(np.cos(azimuth[:, 0]), np.sin(azimuth[:, 0]), color=INK, linewidth=0.8)
-    for right, top, name in ((1.04, 0.0, "1"), (0.0, 1.04, "2")):
-        axes.text(right, top, name, ha="left" if right else "center", va="center" if right else "bottom")
-    axes.set(aspect="equal", xlim=(-1.05, 1.14), ylim=(-1.05, 1.14))
-    axes.axis("off")
-
-
-def _projected(n: Array) -> tuple[Array, Array]:
-    """Equal-area projection of the half sphere above axis 3 on the unit disc."""
-    import numpy as np
-
-    stretch = 1 / np.sqrt(1 + np.abs(n[2]))
-    return n[0] * stretch, n[1] * stretch
+    frame_map(axes)
 
 
 def _distances(axes: Axes, symmetries: tuple[Symmetry, ...]) -> None:

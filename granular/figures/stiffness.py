@@ -53,7 +53,7 @@ def stiffness_figure(stiffness: Stiffness) -> Figure:
     section = figure.add_axes((0.11, 0.17, 0.44, 0.74))
     draw_section(section, young, BLUE)
     draw_section(section, confined, VERMILION, line="--")
-    frame_section(section, 1.1 * greatest, unit)
+    frame_section(section, 1.1 * greatest, across=f"horizontal [{unit}]", upward=f"along axis 3 [{unit}]")
     for place, text, colour, anchor in ((0.0, "Young's modulus", BLUE, "left"),
                                         (1.0, "$C_{nnnn}$", VERMILION, "right")):
         section.text(place, 1.02, text, color=readable(colour), transform=section.transAxes, va="bottom", ha=anchor)
@@ -94,12 +94,37 @@ def stiffness_interactive(stiffness: Stiffness) -> Any:
     return figure
 
 
+def unit_of(greatest: float) -> tuple[float, str]:
+    """Choose the unit in which a modulus is read best.
+
+    Parameters
+    ----------
+    greatest : float
+        The greatest value shown [Pa].
+
+    Returns
+    -------
+    tuple of float and str
+        The unit [Pa], and its name.
+
+    Notes
+    -----
+    Source: SI prefixes.
+
+    Examples
+    --------
+    >>> unit_of(5.5e8)
+    (1000000.0, 'MPa')
+    """
+    return next((pair for pair in UNITS if greatest >= pair[0]), UNITS[-1])
+
+
 def _radii(stiffness: Stiffness) -> tuple[Radius, Radius, float, str]:
     """Young's modulus and C_nnnn as functions of the cosine, the greatest of both, and their unit."""
     import numpy as np
 
     across, along = young_modulus(stiffness, degrees=90.0), young_modulus(stiffness, degrees=0.0)
-    scale, unit = next((pair for pair in UNITS if max(across, along) >= pair[0]), UNITS[-1])
+    scale, unit = unit_of(max(across, along))
 
     def of_cosine(modulus: Callable[..., float]) -> Radius:
         def radius(cosine: Array) -> Array:

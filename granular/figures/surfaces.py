@@ -176,9 +176,32 @@ def plotly_surface(shown: Surface, *, low: float, high: float, name: str, **more
     x, y, z, radius = (array.astype(np.float32) for array in (shown.x, shown.y, shown.z, shown.radius))
     return graph_objects.Surface(
         x=x, y=y, z=z, surfacecolor=radius, cmin=low, cmax=high, colorscale="Viridis", name=name,
-        hovertemplate=f"{name} = %{{surfacecolor:.3f}}<extra></extra>",
+        customdata=at_pointer(shown.radius).astype(np.float32),
+        hovertemplate=f"{name} = %{{customdata:.3f}}<extra></extra>",
         lighting={"ambient": 0.8, "diffuse": 0.35, "specular": 0.02},
         lightposition={"x": 1500, "y": 700, "z": 1500}, **more)
+
+
+def at_pointer(values: Array) -> Array:
+    """Arrange values for the pointer, as ``customdata`` of a surface.
+
+    Parameters
+    ----------
+    values : (parallels, meridians, ...) array
+        One entry for each point of the surface [any unit].
+
+    Returns
+    -------
+    (meridians, parallels, ...) array
+        The same entries [same unit]: plotly looks up what the pointer shows by column and row, not by row and column.
+
+    Notes
+    -----
+    Source: what a browser shows; anything else would name the value of another point.
+    """
+    import numpy as np
+
+    return np.ascontiguousarray(np.swapaxes(values, 0, 1))
 
 
 def plotly_bar(title: str, **more: Any) -> dict[str, Any]:
@@ -283,7 +306,7 @@ def draw_section(axes: Axes, radius: Radius, colour: str, *, line: str = "-") ->
     return x, y
 
 
-def frame_section(axes: Axes, side: float, unit: str) -> None:
+def frame_section(axes: Axes, side: float, *, across: str, upward: str, ticks: int = 7) -> None:
     """Give a section equal scales, and ticks that count outwards from the centre.
 
     Parameters
@@ -292,8 +315,10 @@ def frame_section(axes: Axes, side: float, unit: str) -> None:
         Holds a section.
     side : float
         Half the side of what is shown [unit of the radius].
-    unit : str
-        Of the radius.
+    across, upward : str
+        What the two axes are, with the unit.
+    ticks : int
+        At most as many along each axis [-].
 
     Notes
     -----
@@ -301,10 +326,9 @@ def frame_section(axes: Axes, side: float, unit: str) -> None:
     """
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-    axes.set(aspect="equal", xlim=(-side, side), ylim=(-side, side),
-             xlabel=f"horizontal [{unit}]", ylabel=f"along axis 3 [{unit}]")
+    axes.set(aspect="equal", xlim=(-side, side), ylim=(-side, side), xlabel=across, ylabel=upward)
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(7, symmetric=True))
+        axis.set_major_locator(MaxNLocator(ticks, symmetric=True))
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{abs(value):g}"))
 
 

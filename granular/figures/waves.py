@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from granular.errors import MissingKey
 from granular.figures.look import WAVE_COLOURS, blank, house_style, label_curves, plotly_layout, readable
 
 if TYPE_CHECKING:
@@ -85,6 +86,34 @@ def waves_interactive(waves: Waves) -> Any:
         annotations=[{"x": 90, "y": curve[-1], "text": name, "showarrow": False, "xanchor": "left", "xshift": 6,
                       "font": {"color": readable(WAVE_COLOURS[name])}} for name, curve in speeds.items()]))
     return figure
+
+
+def required_density(density: float | None) -> float:
+    """Refuse to draw the waves of grains without a density.
+
+    Parameters
+    ----------
+    density : float or None
+        Of the grains [kg/m^3].
+
+    Returns
+    -------
+    float
+        The same [kg/m^3].
+
+    Raises
+    ------
+    MissingKey
+        There is none.
+
+    Notes
+    -----
+    Source: the scene file's interface.
+    """
+    if density is None:
+        raise MissingKey("grains.density is missing", allowed="needed: a density, for wave speeds",
+                         remedy='Give it, for example density = "2650 kg/m^3", or draw another figure.')
+    return density
 
 
 def table_ii_waves() -> Figure:

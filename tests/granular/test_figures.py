@@ -15,11 +15,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.text import Text
-from matplotlib.transforms import Bbox
-from mpl_toolkits.mplot3d.art3d import Text3D
-from mpl_toolkits.mplot3d.proj3d import proj_transform
 
 import granular
 from granular import figures
@@ -40,11 +35,14 @@ from granular.figures.paper_figure_7_9 import draw as figure_7_to_9
 from granular.figures.region import admissible_region
 from granular.figures.slip_stiffness import slip_onset
 from granular.figures.stiffness import stiffness_figure
-from granular.figures.surfaces import TO_TURN, surface
+from granular.figures.surfaces import TO_TURN, plotly_surface, surface
 from granular.figures.two_hypotheses import hypotheses
 from granular.figures.waves import table_ii_waves, waves_figure
 from granular.loading import Loading
 from granular.waves import waves
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from legible import require_large_words, require_units, require_words_apart
 
 patient = settings(deadline=None)  # a time limit would be a verdict on a busy machine
 SCENE = granular.Scene.model_validate({
@@ -85,59 +83,19 @@ def drawn(request):
     return figure
 
 
-def words(figure):
-    """Every text that a reader sees, with its box in pixels."""
-    renderer = FigureCanvasAgg(figure).get_renderer()
-    unseen = set()
-    for axes in figure.axes:
-        for axis in (axes.xaxis, axes.yaxis):
-            low, high = sorted(axis.get_view_interval())
-            drawn = [tick for tick in axis.get_major_ticks() if low <= tick.get_loc() <= high]
-            unseen |= {label for tick in set(axis.majorTicks) - set(drawn) for label in (tick.label1, tick.label2)}
-    return [(text, _box(text, renderer)) for text in figure.findobj(Text)
-            if text.get_visible() and text.get_text().strip() and text not in unseen
-            and (text.axes is None or text.axes.axison or text in (*text.axes.texts, text.axes.title))]
-
-
-def _box(text, renderer):
-    box = text.get_window_extent(renderer)
-    if isinstance(text, Text3D):  # its own answer knows nothing of the projection
-        x, y, _ = proj_transform(*text.get_position_3d(), text.axes.get_proj())
-        centre = text.axes.transData.transform((x, y))
-        box = Bbox.from_bounds(centre[0] - box.width / 2, centre[1] - box.height / 2, box.width, box.height)
-    return box
-
-
 def test_no_text_is_small(drawn):
     # text that cannot be read on the page, at the width of the book's column
-    assert drawn.get_size_inches()[0] == look.WIDTH
-    assert min(text.get_fontsize() for text, _ in words(drawn)) >= 9
+    require_large_words(drawn)
 
 
 def test_no_text_is_cut_or_overlaps(drawn):
     # a label that leaves the figure or covers another one
-    frame = drawn.bbox
-    seen = words(drawn)
-    for text, box in seen:
-        assert frame.x0 <= box.x0 + 1, text
-        assert box.x1 <= frame.x1 + 1, text
-        assert frame.y0 <= box.y0 + 1, text
-        assert box.y1 <= frame.y1 + 1, text
-    for (one, first), (two, second) in itertools.combinations(seen, 2):
-        # a pixel of each box is air
-        apart = (first.x1 - 1 <= second.x0 + 1 or second.x1 - 1 <= first.x0 + 1
-                 or first.y1 - 1 <= second.y0 + 1 or second.y1 - 1 <= first.y0 + 1)
-        assert apart, (one.get_text(), two.get_text())
+    require_words_apart(drawn)
 
 
 def test_every_axis_names_its_unit(drawn):
     # a number without its unit
-    for axes in drawn.axes:
-        if axes.name == "rectilinear" and axes.axison and axes.get_xticklabels():
-            for label, ticks in ((axes.get_xlabel(), axes.get_xticklabels()),
-                                 (axes.get_ylabel(), axes.get_yticklabels())):
-                if any(tick.get_text() for tick in ticks):
-                    assert re.search(r"\[.+\]", label), axes
+    require_units(drawn)
 
 
 def test_a_figure_drawn_twice_is_the_same_file(drawn, request):
@@ -250,6 +208,8 @@ def test_surfaces_show_value_as_distance():
     np.testing.assert_allclose(np.sqrt(shown.x**2 + shown.y**2 + shown.z**2), shown.radius, atol=2e-4)
     np.testing.assert_allclose(shown.z[0], 0.4, atol=1e-4)
     np.testing.assert_allclose(np.hypot(shown.x, shown.y)[TO_TURN[0] // 2], 1.3, atol=1e-4)
+    # plotly looks up what the pointer shows by column and row: the value of another point would be named
+    np.testing.assert_allclose(plotly_surface(shown, low=0, high=2, name="W").customdata, shown.radius.T, atol=1e-6)
 
 
 def test_the_slider_shows_the_state_that_it_names():
