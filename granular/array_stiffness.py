@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from granular.errors import ArrayNotUsable, ComplianceInfinite, FabricOutOfRange, UnknownChoice, ValueOutOfRange
+from granular.batch.arguments import (
+    common_shape,
+    hypothesis_named,
+    in_range,
+    real_array,
+    require_place,
+    require_range,
+    require_sticking,
+)
+from granular.batch.full_precision import with_equal_contacts, with_forces
+from granular.errors import UnknownChoice, ValueOutOfRange
 from granular.hypothesis import Hypothesis
 from granular.routes.accuracy import require_accuracy
 from granular.routes.result import COMPONENTS
@@ -13,16 +23,15 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
+    from granular.batch.kernel import Kernel
+
     Array = NDArray[np.float64]
+    Index = NDArray[np.intp]
 
 RELATIVE_ERROR = 2.0**-49
 """Declared bound of every component [-], 8 units in the last place; the worst met in the tests is about half."""
 
-BLOCK = 8192
-"""Elements evaluated at a time, so that the dozen intermediate arrays stay in cache."""
-
-LARGEST_RATIO = 9.0
-"""Branch lengths at pole and equator up to this factor apart take the emitted static moments."""
+INVALID = ("raise", "nan")
 
 
 def axial_stiffness(
@@ -35,6 +44,10 @@ def axial_stiffness(
     kinetic: bool = True,
     hypothesis: Hypothesis | str = Hypothesis.KINEMATIC,
     rtol: float | None = None,
+    out: NDArray[np.float64] | None = None,
+    invalid: str = "raise",
+    engine: str | None = None,
+    threads: int | None = None,
 ) -> NDArray[np.float64]:
     """Stiffness of axially symmetric assemblies, over (M/V) l_e^2 k_n,ref, for arrays of fabrics.
 
@@ -60,33 +73,48 @@ def axial_stiffness(
         Upper bound or lower estimate.
     rtol : float, optional
         Wanted relative accuracy of every component [-]; refused below the accuracy stated here.
+    out : (..., 6) array, optional
+        Where the result is put: float64, of exactly the shape of the result, in any layout; it may overlap the
+        arguments. After a refusal its contents mean nothing.
+    invalid : "raise" or "nan"
+        What happens to elements that have no answer: outside their intervals, or without a finite compliance. The
+        first is refused by name, place and value; or all of them are NaN in every component, so that
+        ``np.isnan(result[..., 0])`` is their mask, and no other element is NaN.
+    engine : "numpy" or "compiled", optional
+        How many elements are evaluated; by default compiled where numba is installed and the elements are many. The
+        result has the same bits.
+    threads : int, optional
+        How many threads share the work [-], >= 1; by default one for each processor that this process may use, if it
+        has 2^18 elements to do. The result has the same bits.
 
     Returns
     -------
     (..., 6) array
-        C1111, C3333, C1122, C1133, C2323, C1212 [-] of each element of the broadcast arguments.
+        C1111, C3333, C1122, C1133, C2323, C1212 [-] of each element of the broadcast arguments; ``out`` itself where
+        it is given. Integers and single precision are converted to float64 before anything is computed.
 
     Raises
     ------
     FabricOutOfRange
         A D33 or Dr33 outside its interval or not finite; the first such element is named.
     ValueOutOfRange
-        The same for stress ratio, friction coefficient or Poisson's ratio.
+        The same for stress ratio, friction coefficient or Poisson's ratio; or a number of threads below 1.
     ComplianceInfinite
         The static hypothesis where contacts slide; the first such element is named.
     ArrayNotUsable
-        Arguments that are not real numbers, or whose shapes do not broadcast.
+        Arguments that are not real numbers, or whose shapes do not broadcast; an ``out`` of another shape or type.
     UnknownChoice
-        Another hypothesis.
+        Another hypothesis, engine or way with invalid elements.
     RouteOutOfDomain
         ``rtol`` below the accuracy stated here.
 
     Notes
     -----
     Accuracy: every component to 2^-49, about 1.8e-15 of itself, unless it is below 2.3e-308.
-    Cost of an element: a closed form where all contacts carry the same force. Otherwise 28 directions without friction
-    (kinematic, forces at pole and equator less than a factor 12 apart), some 200 to 500 where that is not enough, and
-    150 to 900 with friction, the more the nearer the onset of sliding.
+    Cost of an element: a closed form where all contacts carry the same force. Without friction (kinematic) six
+    polynomials where the forces at pole and equator have a ratio from 1/9 to 6, as stress ratios from 1/3 to 3 give
+    with any fabric; elsewhere sums over 28 to 500 directions, and over 150 to 900 with friction, the more the nearer
+    the onset of sliding.
     Source: eqs (4), (7), and Figure 1(b) with (20)-(23).
 
     Examples
@@ -96,166 +124,100 @@ def axial_stiffness(
     >>> isotropic = axial_stiffness(0, 0, poisson_ratio=0)
     >>> [round(float(value), 12) for value in isotropic]
     [0.333333333333, 0.333333333333, 0.0, 0.0, 0.166666666667, 0.166666666667]
+    >>> axial_stiffness([0.0, 2.5], 0.0, invalid="nan")[:, 0] > 0
+    array([ True, False])
     """
     import numpy as np
 
-    chosen = _hypothesis(hypothesis)
+    chosen = hypothesis_named(hypothesis)
     require_accuracy("axial_stiffness", RELATIVE_ERROR, rtol)
-    given = {"D33": _real(D33, "D33"), "Dr33": _real(Dr33, "Dr33"),
-             "stress_ratio": _real(stress_ratio, "stress_ratio"),
-             "poisson_ratio": _real(poisson_ratio, "poisson_ratio")}
+    _require_options(invalid, threads)
+    given = {"D33": real_array(D33, "D33"), "Dr33": real_array(Dr33, "Dr33"),
+             "stress_ratio": real_array(stress_ratio, "stress_ratio"),
+             "poisson_ratio": real_array(poisson_ratio, "poisson_ratio")}
     if friction_coefficient is not None:
-        given["friction_coefficient"] = _real(friction_coefficient, "friction_coefficient")
-    shape = _common_shape(given)
-    _require_range(given)
-    d, dr, nu, ratio = (np.broadcast_to(given[name], shape).ravel()
-                        for name in ("D33", "Dr33", "poisson_ratio", "stress_ratio"))
-    if not kinetic:
-        return _with_equal_contacts(d, dr, nu, chosen).reshape(*shape, len(COMPONENTS))
-    mu = None if friction_coefficient is None else np.broadcast_to(given["friction_coefficient"], shape).ravel()
-    return _with_forces(d, dr, ratio, mu, nu, chosen).reshape(*shape, len(COMPONENTS))
+        given["friction_coefficient"] = real_array(friction_coefficient, "friction_coefficient")
+    shape = (*common_shape(given), len(COMPONENTS))
+    place = None if out is None else require_place(out, shape)
+    direct = place is not None and place.flags.c_contiguous and place.flags.aligned and not any(
+        np.may_share_memory(place, array) for array in given.values())
+    result = place if place is not None and direct else np.empty(shape)
+    kernel = _kernel(kinetic=kinetic, hypothesis=chosen, friction="friction_coefficient" in given)
+    unserved = _by_kernel(kernel, given, result, engine, threads)
+    if unserved.size:
+        _fill(result, unserved, given, kinetic, chosen, invalid)
+    if place is None or direct:
+        return result
+    place[...] = result
+    return place
 
 
-def _with_equal_contacts(D33: Array, Dr33: Array, nu: Array, hypothesis: Hypothesis) -> Array:
-    """Contacts that are all equally stiff."""
+def _kernel(*, kinetic: bool, hypothesis: Hypothesis, friction: bool) -> Kernel | None:
+    """The kernel that is asked first, where there is one."""
+    from granular.batch import constant
+    from granular.batch import kinetic as with_force
+
+    if hypothesis is Hypothesis.STATIC or (kinetic and friction):
+        return None
+    return with_force.KINEMATIC if kinetic else constant.KINEMATIC
+
+
+def _by_kernel(kernel: Kernel | None, given: dict[str, NDArray[Any]], result: Array, engine: str | None,
+               threads: int | None) -> Index:
+    """Let a kernel fill in what it serves; what is left is every element that it does not, and every invalid one."""
     import numpy as np
 
-    kernel = _kinematic if hypothesis is Hypothesis.KINEMATIC else _static
-    result = np.empty((D33.size, len(COMPONENTS)))
-    for start in range(0, D33.size, BLOCK):
-        here = slice(start, start + BLOCK)
-        for column, values in enumerate(kernel(D33[here], Dr33[here], nu[here])):
-            result[here, column] = values
-    return result
+    from granular.batch.evaluation import evaluate_batch
+
+    if kernel is None:
+        return np.arange(result.size // result.shape[-1])
+    unserved = evaluate_batch(kernel, [given[name] for name in kernel.inputs], result, engine=engine, threads=threads)
+    unread = {name: array for name, array in given.items() if name not in kernel.inputs}
+    if unread:
+        inside = in_range(unread)
+        if not inside.all():
+            outside = np.flatnonzero(~np.broadcast_to(inside, result.shape[:-1]))
+            return np.union1d(unserved, outside)
+    return unserved
 
 
-def _kinematic(D33: Array, Dr33: Array, nu: Array) -> tuple[Array, ...]:
+def _fill(result: Array, index: Index, given: dict[str, NDArray[Any]], kinetic: bool, hypothesis: Hypothesis,
+          invalid: str) -> None:
+    """Compute elements that no kernel serves, and refuse or mark those that have no answer."""
     import numpy as np
 
-    from granular.generated.kinematic_constant_array import kinematic_constant
-
-    return kinematic_constant(D33, np.zeros(()), Dr33, nu)
-
-
-def _static(D33: Array, Dr33: Array, nu: Array) -> tuple[Array, ...]:
-    """Each element by exactly one way of computing its moments: the emitted series, or the axial Gauss rule."""
-    import numpy as np
-
-    from granular.generated import static_constant_array as emitted
-    from granular.routes.axial_array import static_moments
-
-    moments = np.empty((3, *D33.shape))
-    pole, equator = 2 * (1 + Dr33), 2 - Dr33
-    near = (pole <= LARGEST_RATIO * equator) & (equator <= LARGEST_RATIO * pole)
-    if near.any():
-        moments[:, near] = emitted.static_moments(D33[near], np.zeros(()), Dr33[near])
-    far = ~near
-    if far.any():
-        moments[:, far] = static_moments(D33[far], Dr33[far])
-    return emitted.stiffness_from_moments(moments[0], moments[1], moments[2], D33, nu)
-
-
-def _with_forces(D33: Array, Dr33: Array, stress_ratio: Array, friction: Array | None, nu: Array,
-                 hypothesis: Hypothesis) -> Array:
-    """Contacts whose stiffness follows their force."""
-    import numpy as np
-
-    from granular.routes.axial_kinetic_array import components
-    from granular.routes.slip_geometry_array import equal_forces
-
-    if hypothesis is Hypothesis.STATIC and friction is not None:
-        _require_sticking(D33, stress_ratio, friction)
-    alike = equal_forces(D33, stress_ratio)
-    if friction is not None:
-        alike &= friction > 0
-    result = np.empty((D33.size, len(COMPONENTS)))
-    result[alike] = _with_equal_contacts(D33[alike], Dr33[alike], nu[alike], hypothesis)
-    rest = ~alike
-    if rest.any():
-        result[rest] = components(D33[rest], Dr33[rest], stress_ratio[rest],
-                                  None if friction is None else friction[rest], nu[rest], hypothesis=hypothesis)
-    return result
-
-
-def _require_sticking(D33: Array, stress_ratio: Array, friction: Array) -> None:
-    """Refuse the first element whose contacts slide somewhere; exact tangency is no sliding."""
-    import numpy as np
-
-    from granular.loading import Loading
     from granular.routes.slip_geometry_array import slides
 
-    sliding = slides(D33, stress_ratio, friction)
-    if sliding.any():
-        first = int(np.argmax(sliding))
-        try:
-            Loading.of_ratio(stress_ratio[first].item(), friction=friction[first].item()).require_finite_compliance(
-                D33[first].item())
-        except ComplianceInfinite as refusal:
-            raise ComplianceInfinite(f"{refusal.found}, element {first} of {sliding.size}", allowed=refusal.allowed,
-                                     remedy='Say kinetic=False or leave friction_coefficient out there, or use '
-                                     'hypothesis="kinematic".') from None
+    shape, rows = result.shape[:-1], result.reshape(-1, result.shape[-1])
+    where = () if index.size == len(rows) else np.unravel_index(index, shape)
+    values: dict[str, Array] = {name: np.broadcast_to(array, shape)[where].astype(np.float64).ravel()
+                                for name, array in given.items()}
+    valid = in_range(values)
+    if not valid.all():
+        if invalid == "raise":
+            require_range({name: array.astype(np.float64) for name, array in given.items()})
+        rows[index[~valid]] = np.nan
+        index, values = index[valid], {name: array[valid] for name, array in values.items()}
+    d, dr, nu = values["D33"], values["Dr33"], values["poisson_ratio"]
+    if not kinetic:
+        rows[index] = with_equal_contacts(d, dr, nu, hypothesis)
+        return
+    ratio, friction = values["stress_ratio"], values.get("friction_coefficient")
+    if hypothesis is Hypothesis.STATIC and friction is not None:
+        if invalid == "raise":
+            require_sticking(d, ratio, friction, index, len(rows))
+        else:
+            sliding = slides(d, ratio, friction)
+            rows[index[sliding]] = np.nan
+            index = index[~sliding]
+            d, dr, nu, ratio, friction = (array[~sliding] for array in (d, dr, nu, ratio, friction))
+    rows[index] = with_forces(d, dr, ratio, friction, nu, hypothesis)
 
 
-def _hypothesis(name: Hypothesis | str) -> Hypothesis:
-    try:
-        return Hypothesis(name)
-    except ValueError:
-        known = ", ".join(repr(choice.value) for choice in Hypothesis)
-        raise UnknownChoice(f"hypothesis = {name!r}", allowed=f"allowed: {known}",
-                            remedy="Name one of the two hypotheses.") from None
-
-
-def _real(argument: ArrayLike, name: str) -> Array:
-    """An array of floats, or a refusal; text, truth values and masks are not numbers here."""
-    import numpy as np
-
-    remedy = f"Give {name} as a number or an array of real numbers."
-    if isinstance(argument, np.ma.MaskedArray):
-        raise ArrayNotUsable(f"{name} is a masked array", allowed="needed: an array without mask",
-                             remedy="Select the valid elements first, for example with .compressed().")
-    try:
-        array = np.asarray(argument)
-    except ValueError:
-        raise ArrayNotUsable(f"{name} has rows of different lengths", allowed="needed: one shape",
-                             remedy=remedy) from None
-    if array.dtype.kind not in "iuf":
-        raise ArrayNotUsable(f"{name} holds {array.dtype.name}", allowed="needed: integers or floats",
-                             remedy=remedy)
-    return array.astype(np.float64)
-
-
-def _common_shape(given: dict[str, Array]) -> tuple[int, ...]:
-    import numpy as np
-
-    try:
-        return np.broadcast_shapes(*(array.shape for array in given.values()))
-    except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items() if array.shape)
-        raise ArrayNotUsable(f"shapes {shapes}", allowed="needed: shapes that broadcast together",
-                             remedy="Insert axes of length 1, for example D33[:, None] with Dr33.") from None
-
-
-def _require_range(given: dict[str, Array]) -> None:
-    """Refuse the first element outside its interval; a comparison with NaN is false, so NaN is refused too."""
-    import numpy as np
-
-    def refuse(name: str, admissible: NDArray[np.bool_], kind: type[FabricOutOfRange | ValueOutOfRange],
-               allowed: str) -> None:
-        if admissible.all():
-            return
-        index = tuple(int(i) for i in np.unravel_index(int(np.argmin(admissible)), admissible.shape))
-        where = f"[{', '.join(map(str, index))}]" if index else ""
-        raise kind(f"{name}{where} = {given[name][index].item()!r}", allowed=f"allowed {allowed}",
-                   remedy=f"Give every {name} inside the interval.")
-
-    d, dr = given["D33"], given["Dr33"]
-    refuse("D33", (d >= -1) & (d <= 2), FabricOutOfRange, "-1 <= D33 <= 2 (E(n) would be negative)")
-    refuse("Dr33", (dr > -1) & (dr < 2), FabricOutOfRange,
-           "-1 < Dr33 < 2 (the branch length would not be positive)")
-    nu, ratio = given["poisson_ratio"], given["stress_ratio"]
-    refuse("poisson_ratio", (nu >= 0) & (nu <= 0.5), ValueOutOfRange, "0 <= poisson_ratio <= 0.5")
-    refuse("stress_ratio", (ratio > 0) & np.isfinite(ratio), ValueOutOfRange, "0 < stress_ratio < inf")
-    if "friction_coefficient" in given:
-        mu = given["friction_coefficient"]
-        refuse("friction_coefficient", (mu >= 0) & np.isfinite(mu), ValueOutOfRange,
-               "0 <= friction_coefficient < inf")
+def _require_options(invalid: str, threads: int | None) -> None:
+    if invalid not in INVALID:
+        raise UnknownChoice(f"invalid = {invalid!r}", allowed=f"allowed: {', '.join(map(repr, INVALID))}",
+                            remedy="Say whether elements without an answer are refused or become NaN.")
+    if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int) or threads < 1):
+        raise ValueOutOfRange(f"threads = {threads!r}", allowed="allowed: whole numbers >= 1",
+                              remedy="Give a number of threads, or leave threads out.")

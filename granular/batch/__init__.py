@@ -9,11 +9,11 @@ A kernel answers one question (constant stiffness, kinetic fabric, partial slip 
 ``x_i`` are (n,) arrays, float64, contiguous, read only; ``out`` is (6 n,), float64, contiguous: six places an element,
 one element after another (flat, because numba makes vector code of such stores only if one index is left). The block
 writes C1111, C3333, C1122, C1133, C2323, C1212 of every element that it serves and NaN in all six places of every
-other element, and returns how many these others are. It serves an element only where it keeps ``Kernel.relative_error``; it
-checks every value for itself, so that no pass over the arrays is needed before. Elements outside the domain of the
-model are simply not served: the caller looks at what is left, refuses it or computes it another way. A block knows
-nothing of shapes, strides, threads and errors, and works element by element: its values do not depend on the block
-that an element is in.
+other element, and returns how many these others are. It serves an element only where it keeps
+``Kernel.relative_error``; it checks every value for itself, so that no pass over the arrays is needed before. Elements
+outside the domain of the model are simply not served: the caller looks at what is left, refuses it or computes it
+another way. A block knows nothing of shapes, strides, threads and errors, and works element by element: its values do
+not depend on the block that an element is in.
 
 There are two forms of each block, ``Kernel.array`` on whole arrays by NumPy, always there, and ``Kernel.loop`` as a
 plain Python loop that numba compiles where it is installed. Both do the same IEEE operations in the same order (no

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from granular.array_stiffness import _common_shape, _hypothesis, _real, _require_range, _require_sticking
+from granular.batch.arguments import common_shape, hypothesis_named, real_array, require_range, require_sticking
 from granular.errors import SlopeInfinite, ValueOutOfRange
 from granular.hypothesis import Hypothesis
 
@@ -107,15 +107,15 @@ def axial_gradient(
     """
     import numpy as np
 
-    chosen = _hypothesis(hypothesis)
-    given = {"D33": _real(D33, "D33"), "Dr33": _real(Dr33, "Dr33"),
-             "stress_ratio": _real(stress_ratio, "stress_ratio"),
-             "poisson_ratio": _real(poisson_ratio, "poisson_ratio")}
+    chosen = hypothesis_named(hypothesis)
+    given = {"D33": real_array(D33, "D33"), "Dr33": real_array(Dr33, "Dr33"),
+             "stress_ratio": real_array(stress_ratio, "stress_ratio"),
+             "poisson_ratio": real_array(poisson_ratio, "poisson_ratio")}
     if friction_coefficient is not None:
-        given["friction_coefficient"] = _real(friction_coefficient, "friction_coefficient")
-    shape = _common_shape(given)
-    _require_range(given)
-    flat = {name: np.broadcast_to(values, shape).ravel() for name, values in given.items()}
+        given["friction_coefficient"] = real_array(friction_coefficient, "friction_coefficient")
+    shape = common_shape(given)
+    require_range(given)
+    flat = {name: np.broadcast_to(values, shape).astype(np.float64).ravel() for name, values in given.items()}
     rows = _rows(flat, chosen, kinetic=kinetic).reshape(*shape, 6, 6)
     return AxialGradient(rows[..., 0, :], np.moveaxis(rows[..., 1:, :], -1, -2))
 
@@ -132,7 +132,7 @@ def _rows(given: dict[str, Array], hypothesis: Hypothesis, *, kinetic: bool) -> 
     if kinetic and friction is not None:
         _require_friction(friction)
         if hypothesis is Hypothesis.STATIC:
-            _require_sticking(d, ratio, friction)
+            require_sticking(d, ratio, friction, np.arange(d.size), d.size)
         slips = _with_shear(d, ratio, friction)
     result = np.empty((d.size, COLUMNS))
     for start in range(0, d.size, BLOCK):

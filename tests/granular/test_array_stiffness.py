@@ -9,7 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import granular
-from granular.array_stiffness import BLOCK, RELATIVE_ERROR
+from granular.array_stiffness import RELATIVE_ERROR
+from granular.batch.engines import Engine
+from granular.batch.evaluation import BLOCK as BLOCKS
 from granular.errors import (
     ArrayNotUsable,
     ComplianceInfinite,
@@ -21,6 +23,8 @@ from granular.errors import (
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
 from granular.routes import axial, closed_form
+
+BLOCK = BLOCKS[Engine.NUMPY]
 
 patient = settings(deadline=None)  # a time limit would be a verdict on a busy machine
 BATCH = 4 * np.finfo(float).eps
