@@ -24,6 +24,7 @@ from granular.units import ANGLE, DENSITY, PRESSURE
 
 if TYPE_CHECKING:
     from granular.general import GeneralFabric, GeneralLoading
+    from granular.loading import Loading
 
 __all__ = ["BranchAnisotropy", "Branches", "ContactNormals", "CoordinationLine", "Gradation", "Grains", "Model",
            "Packing", "Scene", "Shape", "Stress"]
@@ -326,18 +327,31 @@ class Scene(Table):
     @property
     def axis(self) -> Axis | None:
         """The axis that fabric and stress share [-], a unit vector; axis 3 without any anisotropy, None without one."""
-        about = self._about()
+        if self.axial:
+            return AXIS_3
+        about = self._recognised()
         return None if about is None else about.axis
 
     @property
     def about_axis(self) -> AxialScene:
         """Fabric and stress about the axis that they share, simulated or not; refused without one."""
-        about = self._about()
+        if self.axial:
+            return AxialScene(self._fabric_about_axis_3, self.stress.loading(None), AXIS_3, recognised=False)
+        about = self._recognised()
         if about is None:
             raise AxisNeeded("a scene whose fabric and stress share no axis",
                              allowed="allowed only tensors with one axis of symmetry in common there",
                              remedy="Use what takes any tensors: run, plan, general_fabric, general_loading.")
         return about
+
+    @property
+    def fabric_about_axis(self) -> AxialFabric:
+        """Contact normals and branches about the axis of the scene, simulated or not [-]; refused without one."""
+        return self._fabric_about_axis_3 if self.axial else self.about_axis.fabric
+
+    def loading_about_axis(self, friction: float | None) -> Loading:
+        """Principal stresses along and across the axis of the scene, and friction [-]; refused without an axis."""
+        return self.stress.loading(friction) if self.axial else self.about_axis.under(friction)
 
     @property
     def fabric(self) -> AxialFabric:
@@ -387,9 +401,8 @@ class Scene(Table):
         return AxialFabric(D33=D33, D3333=D3333, aspect_ratio=self.shape.aspect_ratio,
                            free_spin=self.shape.spin == "relaxed")
 
-    def _about(self) -> AxialScene | None:
-        if self.axial:
-            return AxialScene(self._fabric_about_axis_3, self.stress.loading(None), AXIS_3, recognised=False)
+    def _recognised(self) -> AxialScene | None:
+        """The axis of tensors that are not all symmetric about axis 3."""
         from granular.scene_tensors import recognised
 
         return recognised(*self._fabric_tensors, self.stress.matrix)

@@ -19,15 +19,14 @@ if TYPE_CHECKING:
 
 
 def _called_for(scene: Scene) -> Called:
-    about = scene.about_axis
-    Dr33 = about.fabric.Dr33
+    Dr33 = scene.fabric_about_axis.Dr33
     if Dr33 == 0.0:
         return Called(False, "branch lengths are the same in every direction")
-    return Called(True, f"branch lengths with anisotropy D33 = {about.written(Dr33)}")
+    return Called(True, f"branch lengths with anisotropy D33 = {scene.about_axis.written(Dr33)}")
 
 
 def _add_to_fabric(scene: Scene, fabric: AxialFabric) -> AxialFabric:
-    return replace(fabric, Dr33=scene.about_axis.fabric.Dr33)
+    return replace(fabric, Dr33=scene.fabric_about_axis.Dr33)
 
 
 def _bound(simulated: Simulated) -> Bound:

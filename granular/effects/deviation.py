@@ -26,7 +26,7 @@ def _called_for(scene: Scene) -> Called:
 
 
 def _add_to_fabric(scene: Scene, fabric: AxialFabric) -> AxialFabric:
-    shape = scene.about_axis.fabric
+    shape = scene.fabric_about_axis
     return replace(fabric, aspect_ratio=shape.aspect_ratio, free_spin=shape.free_spin)
 
 

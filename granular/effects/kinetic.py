@@ -35,8 +35,7 @@ def force_coefficients(scene: Scene) -> tuple[Fraction, Fraction]:
     -----
     Exact for the doubles given. Source: eq. (23).
     """
-    about = scene.about_axis
-    return about.under(None).coefficients(about.fabric.D33)
+    return scene.loading_about_axis(None).coefficients(scene.fabric_about_axis.D33)
 
 
 def _called_for(scene: Scene) -> Called:
@@ -60,7 +59,7 @@ def _decimal(ratio: Fraction) -> str:
 
 
 def _add_to_loading(scene: Scene, loading: Loading | None) -> Loading:
-    return loading or scene.about_axis.under(None)
+    return loading or scene.loading_about_axis(None)
 
 
 def _bound(simulated: Simulated) -> Bound:

@@ -25,7 +25,7 @@ def _called_for(scene: Scene) -> Called:
 
 
 def _add_to_loading(scene: Scene, loading: Loading | None) -> Loading:
-    return loading or scene.about_axis.under(None)
+    return loading or scene.loading_about_axis(None)
 
 
 def _bound(simulated: Simulated | GeneralSimulated) -> Bound:

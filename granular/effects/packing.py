@@ -33,16 +33,17 @@ STEEP = 1000.0
 
 
 def _called_for(scene: Scene) -> Called:
-    about = scene.about_axis
-    D33, D3333 = about.fabric.D33, about.fabric.D3333
+    fabric = scene.fabric_about_axis
+    D33, D3333 = fabric.D33, fabric.D3333
     if D33 == 0.0 == D3333:
         return Called(False, "contact normals are isotropic")
+    about = scene.about_axis
     return Called(True, f"contact normals with D33 = {about.written(D33)}"
                   + (f", D3333 = {about.written(D3333)}" if D3333 else ""))
 
 
 def _add_to_fabric(scene: Scene, fabric: AxialFabric) -> AxialFabric:
-    normals = scene.about_axis.fabric
+    normals = scene.fabric_about_axis
     return replace(fabric, D33=normals.D33, D3333=normals.D3333)
 
 

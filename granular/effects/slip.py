@@ -44,7 +44,7 @@ def _sliding_range(scene: Scene, equator: Fraction, pole: Fraction, friction: fl
     """Say between which angles from axis 3 contacts slide."""
     from granular.routes.slip_geometry import Sticking, slip_geometry
 
-    if scene.about_axis.under(friction).opens():
+    if scene.loading_about_axis(friction).opens():
         return NEXT_TO_OPENED
     geometry = slip_geometry(equator, pole, friction)
     if isinstance(geometry, Sticking):
@@ -85,7 +85,7 @@ def _friction(scene: Scene) -> float:
 
 def _add_to_loading(scene: Scene, loading: Loading | None) -> Loading:
     del loading  # the same stress, and friction with it
-    return scene.about_axis.under(_friction(scene))
+    return scene.loading_about_axis(_friction(scene))
 
 
 def _add_to_general(scene: Scene, loading: GeneralLoading | None) -> GeneralLoading:

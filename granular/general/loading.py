@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from granular.errors import StressNotCompressive, ValueOutOfRange
+from granular.general.result import rows_of
 from granular.tensors import SymmetricTensor, Tensor
 
 if TYPE_CHECKING:
@@ -169,14 +171,24 @@ def most_mobilised(forces: Array) -> tuple[float, Array]:
     0.204124145232
     """
     import numpy as np
+
+    ratio, direction = _most_mobilised(rows_of(forces))
+    return ratio, np.array(direction)
+
+
+@lru_cache(maxsize=64)
+def _most_mobilised(rows: tuple[tuple[float, ...], ...]) -> tuple[float, tuple[float, ...]]:
+    """The same of plain numbers: a plan asks for it several times, and the search takes as long as a coarse rule."""
+    import numpy as np
     from scipy.optimize import minimize
 
     from granular.general.fabric import spread_directions
 
+    forces = np.array(rows)
     symmetric, squared = (forces + forces.T) / 2, forces.T @ forces
     values, vectors = np.linalg.eigh(symmetric)
     if values[0] <= 0:
-        return float("inf"), vectors[:, 0]
+        return math.inf, tuple(vectors[:, 0].tolist())
 
     def steepness(n: Array) -> tuple[float, Array]:
         """-\\|f\\|^2/f_n^2 for n of any length, and its gradient."""
@@ -190,4 +202,4 @@ def most_mobilised(forces: Array) -> tuple[float, Array]:
     best = n[:, np.argsort(height)[-12:]].T
     found = [minimize(steepness, start, jac=True, method="BFGS", options={"gtol": 1e-10}) for start in best]
     top = min(found, key=lambda one: float(one.fun))
-    return float(np.sqrt(max(-float(top.fun) - 1, 0.0))), top.x / np.linalg.norm(top.x)
+    return math.sqrt(max(-float(top.fun) - 1, 0.0)), tuple((top.x / np.linalg.norm(top.x)).tolist())

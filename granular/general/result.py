@@ -68,13 +68,13 @@ def rows_of(matrix: Array) -> tuple[tuple[float, ...], ...]:
 
     Parameters
     ----------
-    matrix : (6, 6) array
-        Mandel matrix [any unit].
+    matrix : (n, n) array
+        Any matrix [any unit].
 
     Returns
     -------
     tuple of tuples of float
-        Its rows [same unit].
+        Its rows [same unit], which can be compared and hashed.
 
     Notes
     -----

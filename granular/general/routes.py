@@ -10,7 +10,7 @@ from granular.errors import RouteOutOfDomain
 from granular.general import closed_form
 from granular.general.prediction import directions_of_lebedev, directions_of_product
 from granular.general.result import GeneralStiffness, rows_of
-from granular.general.sphere import COARSEST, FINEST, WANTED, average_of, out_of_domain
+from granular.general.sphere import COARSEST, REACHED, WANTED, average_of, out_of_domain
 from granular.routes.catalogue import ROUTES
 from granular.routes.choice import Choice, Considered
 from granular.routes.result import Promise
@@ -195,7 +195,7 @@ def _average(fabric: GeneralFabric, hypothesis: Hypothesis, loading: GeneralLoad
 
 
 def _estimate(evaluations: int, rtol: float) -> Promise:
-    return Promise(max(rtol, FINEST), evaluations, error_is="estimate")
+    return Promise(max(rtol, REACHED), evaluations, error_is="estimate")
 
 
 def _lebedev_promise(fabric: GeneralFabric, hypothesis: Hypothesis, loading: GeneralLoading | None,
@@ -205,17 +205,17 @@ def _lebedev_promise(fabric: GeneralFabric, hypothesis: Hypothesis, loading: Gen
     average = _average(fabric, hypothesis, loading)
     if not average.smooth:
         return None
-    return _estimate(directions_of_lebedev(average, max(rtol, FINEST)) or ALL_POINTS, rtol)
+    return _estimate(directions_of_lebedev(average, max(rtol, REACHED)) or ALL_POINTS, rtol)
 
 
 def _product_promise(fabric: GeneralFabric, hypothesis: Hypothesis, loading: GeneralLoading | None,
                      rtol: float) -> Promise:
-    return _estimate(directions_of_product(_average(fabric, hypothesis, loading), max(rtol, FINEST)), rtol)
+    return _estimate(directions_of_product(_average(fabric, hypothesis, loading), max(rtol, REACHED)), rtol)
 
 
 def _sphere_promise(fabric: GeneralFabric, hypothesis: Hypothesis, loading: GeneralLoading | None,
                     rtol: float) -> Promise:
-    average, reached = _average(fabric, hypothesis, loading), max(rtol, FINEST)
+    average, reached = _average(fabric, hypothesis, loading), max(rtol, REACHED)
     return _estimate(directions_of_lebedev(average, reached) or directions_of_product(average, reached), rtol)
 
 

@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 FINEST, COARSEST = 1e-12, 1e-1
 """Wanted accuracies between these can be asked for [-]."""
 
+REACHED = 9e-13
+"""What the rules over the sphere promise at best [-]: 1e-12, less room for the step to pascals."""
+
 WANTED = 1e-9
 """Accuracy aimed at when none is asked for [-]."""
 
