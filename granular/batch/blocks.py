@@ -51,7 +51,7 @@ def block_reader(argument: NDArray[Any], shape: tuple[int, ...], block: int) -> 
         flat: Array = argument.reshape(-1)
         return lambda start, stop: flat[start:stop]
     scratch: Array = np.empty(block)
-    pieces = np.nditer([np.broadcast_to(argument, shape)], order="C", casting="unsafe", buffersize=block,
+    pieces: Any = np.nditer([np.broadcast_to(argument, shape)], order="C", casting="unsafe", buffersize=block,
                        flags=["external_loop", "buffered", "ranged", "zerosize_ok"],
                        op_flags=[["readonly", "aligned", "nbo"]], op_dtypes=[np.float64])
 

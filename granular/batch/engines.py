@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from functools import lru_cache
-from importlib.util import find_spec
+from importlib import import_module
 
 from granular.batch.kernel import BlockFunction, Kernel
 from granular.errors import UnknownChoice
@@ -71,20 +70,23 @@ def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None)
     return engine
 
 
-@lru_cache(maxsize=1)
 def compiler_installed() -> bool:
-    """Whether numba can be found.
+    """Whether numba is there and can be loaded, which this does.
 
     Returns
     -------
     bool
-        True where it is installed; it is not loaded for that.
+        False where it is not installed, or not for this version of NumPy.
 
     Notes
     -----
     Source: the import system.
     """
-    return find_spec("numba") is not None
+    try:
+        import_module("numba")
+    except ImportError:
+        return False
+    return True
 
 
 def block_function(kernel: Kernel, engine: Engine) -> BlockFunction:

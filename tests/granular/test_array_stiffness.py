@@ -204,6 +204,15 @@ def test_static_with_sliding_contacts_names_the_element():
     ({"hypothesis": "voigt"}, UnknownChoice, "hypothesis = 'voigt'"),
     ({"rtol": 1e-17}, RouteOutOfDomain, "rtol = 1e-17"),
     ({"rtol": math.nan}, RouteOutOfDomain, "rtol = nan"),
+    ({"invalid": "ignore"}, UnknownChoice, "invalid = 'ignore'"),
+    ({"engine": "fortran"}, UnknownChoice, "engine = 'fortran'"),
+    ({"threads": 0}, ValueOutOfRange, "threads = 0"),
+    ({"threads": 1.5}, ValueOutOfRange, "threads = 1.5"),
+    ({"out": np.empty(5)}, ArrayNotUsable, "out has shape (5,), needed: shape (6,)"),
+    ({"out": np.empty(6, np.float32)}, ArrayNotUsable, "out holds <f4"),
+    ({"out": np.empty(6, ">f8")}, ArrayNotUsable, "out holds >f8"),
+    ({"out": [0.0] * 6}, ArrayNotUsable, "out is a list"),
+    ({"out": np.broadcast_to(0.0, 6)}, ArrayNotUsable, "out is read only"),
 ])  # fmt: skip
 def test_bad_elements_are_named(arguments, kind, message):
     # a NaN that travels into the result, or a message without the place
@@ -216,3 +225,60 @@ def test_bad_elements_are_named(arguments, kind, message):
 def test_a_modest_accuracy_is_granted():
     # rtol refused although kept
     assert granular.axial_stiffness(0.0, 0.0, rtol=1e-12).shape == (6,)
+
+
+CASES = [{"kinetic": False}, {"kinetic": True}, {"kinetic": False, "hypothesis": "static"}, {"hypothesis": "static"},
+         {"friction_coefficient": 0.5}]
+
+
+@pytest.mark.parametrize("options", CASES, ids=str)
+def test_out_is_filled_and_returned(options):
+    # a result written elsewhere, in another order, or over arguments that are still to be read
+    rng = np.random.default_rng(5)
+    d, dr, ratio = rng.uniform(-1, 2, (4, 1)), rng.uniform(-0.9, 1.9, 3), rng.uniform(0.2, 5, (4, 3))
+    known = granular.axial_stiffness(d, dr, ratio, **options)
+    for out in (np.empty((4, 3, 6)), np.empty((6, 3, 4)).T, np.empty((8, 3, 12))[::-2, :, ::2],
+                np.empty(4 * 3 * 6 * 8 + 1, np.uint8)[1:].view(np.float64).reshape(4, 3, 6)):
+        assert granular.axial_stiffness(d, dr, ratio, out=out, **options) is out
+        np.testing.assert_array_equal(out, known)
+    over = np.empty((4, 3, 6))
+    over[..., 0] = ratio
+    np.testing.assert_array_equal(granular.axial_stiffness(d, dr, over[..., 0], out=over, **options), known)
+
+
+@pytest.mark.parametrize("options", CASES, ids=str)
+def test_invalid_elements_can_become_nan(options):
+    # a valid neighbour lost, an invalid one answered, or a mask that is not that of the first component
+    d = np.array([[0.1], [math.nan], [0.3], [2.5]])
+    ratio, nu = np.array([1.0, -1.0, 1.5, math.inf]), np.array(0.2)
+    found = granular.axial_stiffness(d, -0.3, ratio, poisson_ratio=nu, invalid="nan", **options)
+    valid = np.isin(np.arange(4), [0, 2])
+    np.testing.assert_array_equal(~np.isnan(found), np.broadcast_to((valid[:, None] & valid)[..., None], found.shape))
+    np.testing.assert_array_equal(found[::2, ::2], granular.axial_stiffness(d[::2], -0.3, ratio[::2], poisson_ratio=nu,
+                                                                          **options))
+    assert np.isnan(granular.axial_stiffness(0.1, 0.1, math.nan, invalid="nan", **options)).all()
+
+
+def test_an_infinite_compliance_can_become_nan():
+    # sliding contacts refused although NaN was asked for, or the sticking ones lost with them
+    found = granular.axial_stiffness(0.0, 0.0, [1.0, 1.2, 4.0], 0.2, hypothesis="static", invalid="nan")
+    assert np.isnan(found).all(axis=-1).tolist() == np.isnan(found).any(axis=-1).tolist() == [False, False, True]
+
+
+@pytest.mark.parametrize("kinetic", [False, True])
+def test_kernel_and_sums_meet(kinetic):
+    # an element that the kernel leaves, put in the place of another
+    ratio = np.array([1e-3, 0.34, 0.3, 1.0, 3.0, 20.0, 1e6])
+    found = granular.axial_stiffness(0.3, -0.3, ratio, kinetic=kinetic)
+    for row, one in zip(found, ratio.tolist(), strict=True):
+        np.testing.assert_array_equal(row, granular.axial_stiffness(0.3, -0.3, one, kinetic=kinetic))
+
+
+@pytest.mark.parametrize("kinetic", [False, True])
+def test_engines_and_threads_change_no_bit(kinetic):
+    # two ways that differ in the last place, so that a result would depend on the machine
+    rng = np.random.default_rng(2)
+    arguments = rng.uniform(-1, 2, 5000), rng.uniform(-0.9, 1.9, 5000), rng.uniform(0.1, 8, 5000)
+    known = granular.axial_stiffness(*arguments, kinetic=kinetic, engine="numpy")
+    for options in ({"engine": "compiled"}, {"engine": "compiled", "threads": 3}, {"engine": "numpy", "threads": 2}):
+        np.testing.assert_array_equal(granular.axial_stiffness(*arguments, kinetic=kinetic, **options), known)
