@@ -10,6 +10,7 @@ from functools import cache
 
 import sympy as sp
 
+from derivations import slip_table_batch
 from derivations.record import Claim, Derivation, Function, Output, Step
 from derivations.slip_integrals import DEGREE, cosine_star, rotated_form, sine_star
 from derivations.symbols import eta, kappa, margin, onset_strength
@@ -24,7 +25,8 @@ at_equator, at_pole, w = sp.symbols("S C w", real=True)
 y = sp.Symbol("y", positive=True)
 n = sp.Symbol("n", integer=True, nonnegative=True)
 
-even, mean, span, radius, lift, left_over, factor = sp.symbols("even mean span radius lift left_over factor", real=True)
+square, even, cube, half, share, radius, left_over, factor = sp.symbols(
+    "square even cube half share radius left_over factor", real=True)
 E2, E4, P2, P4 = sp.symbols("S2 S4 C2 C4", real=True)
 BASIS = sp.symbols("z0:6", real=True)
 STEPS = sp.symbols("w1:6", real=True)
@@ -47,25 +49,21 @@ def even_part(index: int) -> tuple[sp.Expr, ...]:
 
 
 def _coordinate_step() -> Step:
-    root_a, root_c = 1 - eta, 1 + eta
-    share = (1 - margin) / (1 + margin)
+    force_a, force_c = (1 - eta) ** 3, (1 + eta) ** 3
     return Step(
         "Two numbers",
-        r"Up to the size of the forces, what slip takes depends on the contrast $\eta$ of pole and equator and on the "
-        r"share $\kappa$ of the friction that is used up. With $\delta = (1-\kappa)/(1+\kappa)$ in place of $\kappa$ "
-        r"all friction coefficients from 0 to $\infty$ have their place in a square, and the onset of sliding is the "
-        r"line $\delta = 0$ across it.",
-        (r"\eta = \frac{\sqrt c-\sqrt a}{\sqrt c+\sqrt a},\qquad \delta = \frac{2\mu\sqrt{ac} - |c-a|}"
-         r"{2\mu\sqrt{ac} + |c-a|},\qquad \frac{1-\delta}2 = \frac{|c-a|}{2\mu\sqrt{ac}+|c-a|}",
-         r"m = 1+\eta^2,\quad R = \sqrt{4\eta^2 + \kappa^2(1-\eta^2)^2},\quad "
-         r"h_0 = m - R = \frac{(1-\eta^2)^2}{m+R}\,\frac{4\delta}{(1+\delta)^2}\qquad"
-         r"\left(\tfrac{\sqrt a + \sqrt c}2 = 1\right)"),
-        (Claim(root_a + root_c, sp.Integer(2)), Claim((root_c**2 + root_a**2) / 2, 1 + eta**2),
-         Claim(root_c**2 - root_a**2, 4 * eta),
-         Claim(sp.expand((1 + eta**2) ** 2 - 4 * eta**2 - kappa**2 * (1 - eta**2) ** 2),
-               sp.expand((1 - eta**2) ** 2 * (1 - kappa**2))),
-         Claim(sp.cancel(1 - share**2), sp.cancel(4 * margin / (1 + margin) ** 2)),
-         Claim(sp.cancel(share / (1 + share)), (1 - margin) / 2)), result=True)
+        r"Up to the size of the forces, what slip takes depends on their contrast $\bar v$ and on the largest share "
+        r"$\kappa$ of the friction that a contact uses up. In these two the onset of sliding is a straight line, "
+        r"$\bar\kappa = 1 - \kappa = 0$, for whatever friction. Here $\bar v$ is the contrast of the cube roots of $a$ "
+        r"and $c$, and the mean of these is 1.",
+        (r"\bar v = \frac{c^{1/3}-a^{1/3}}{c^{1/3}+a^{1/3}},\qquad \kappa = \frac{|c-a|}{2\mu\sqrt{ac}}",
+         r"m = 1+3\bar v^2,\quad R = \sqrt{\bar v^2(3+\bar v^2)^2 + \kappa^2(1-\bar v^2)^3},\quad h_0 = m - R = "
+         r"\frac{(1-\bar v^2)^3}{m+R}\,\bar\kappa(1+\kappa)"),
+        (Claim(sp.expand((force_a + force_c) / 2), 1 + 3 * eta**2),
+         Claim(sp.expand((force_c - force_a) / 2), sp.expand(eta * (3 + eta**2))),
+         Claim(sp.expand(force_a * force_c), sp.expand((1 - eta**2) ** 3)),
+         Claim(sp.expand((1 + 3 * eta**2) ** 2 - eta**2 * (3 + eta**2) ** 2 - kappa**2 * (1 - eta**2) ** 3),
+               sp.expand((1 - eta**2) ** 3 * (1 - kappa) * (1 + kappa)))), result=True)
 
 
 def _root_step() -> Step:
@@ -110,7 +108,7 @@ def _branch_step() -> Step:
         r"Over the whole line the powers of $y$ have integrals that are continued in the exponent; they give the part "
         r"of every moment that has a branch point at the onset. It is $W_k$ times a number on either side, with "
         r"$|w|^{5/6}$ for the power. What is left is one analytic function on both sides, which a table can hold.",
-        (r"H_k - \sqrt3\,W_k \ (\delta > 0),\qquad H_k + 2\,W_k \ (\delta < 0)\qquad\text{one analytic function}",
+        (r"H_k - \sqrt3\,W_k \ (\kappa < 1),\qquad H_k + 2\,W_k \ (\kappa > 1)\qquad\text{one analytic function}",
          r"\int_{-\infty}^{\infty}\! y^{2n}(\varepsilon+y^2)^{1/3}\mathrm{d}y \to (-1)^n\sqrt3\,\varepsilon^{n+5/6}\,"
          r"\mathrm{B}\!\left(n+\tfrac12,\tfrac43\right),\qquad 2\int_{\sqrt w}^{\infty}\! y^{2n}(y^2-w)^{1/3}"
          r"\mathrm{d}y \to -2\,w^{n+5/6}\,\mathrm{B}\!\left(n+\tfrac12,\tfrac43\right)"),
@@ -138,18 +136,19 @@ def onset_part() -> Function:
     return Function(
         "onset_part", "What is not smooth at the onset of sliding in the six moments of the stiffness left by slip.",
         (margin, eta, onset_strength),
-        ((even, 1 - eta**2), (mean, 1 + eta**2), (span, even * (1 - margin) / (1 + margin)),
-         (radius, sp.sqrt(4 * eta**2 + span**2)), (lift, even / (1 + margin)),
-         (left_over, 4 * margin * lift**2 / (mean + radius)), (w, -left_over / (2 * radius)),
-         (at_equator, HALF + eta / radius), (at_pole, HALF - eta / radius),
+        ((square, eta * eta), (even, 1 - square), (cube, even**3), (half, eta * (3 + square)), (share, 1 - margin),
+         (radius, sp.sqrt(half**2 + share**2 * cube)),
+         (left_over, margin * (1 + share) * cube / (1 + 3 * square + radius)),
+         (w, -left_over / (2 * radius)),
+         (at_equator, HALF + half / (2 * radius)), (at_pole, HALF - half / (2 * radius)),
          (E2, squares[0] ** 2), (P2, squares[1] ** 2), (E4, fours[0]), (P4, fours[1]),
          *zip(BASIS, basis, strict=True),
          *((symbol, sp.Rational(6 * i + 3, 6 * i + 11) * w) for i, symbol in enumerate(STEPS)),
          (factor, onset_strength * sp.cbrt(sp.Abs(left_over)) * sp.sqrt(sp.Abs(w) * at_equator)),
          *((symbol, factor * _nested(index)) for index, symbol in enumerate(SINGULAR))),
         SINGULAR, unit="-",
-        notes="For (sqrt(a) + sqrt(c))/2 = 1. The strength is B(1/2, 4/3) times sqrt(3) before the onset, margin > 0, "
-              "and times -2 after it.")
+        notes="Contrast of the cube roots of the forces, with 1 for the mean of these. The strength is B(1/2, 4/3) "
+              "times sqrt(3) before the onset, margin > 0, and times -2 after it.")
 
 
 def _nested(index: int) -> sp.Expr:
@@ -165,16 +164,16 @@ def _nested(index: int) -> sp.Expr:
 
 def singular_moments() -> tuple[sp.Expr, ...]:
     """The same in closed form, in margin, eta and strength."""
-    used = (1 - margin) / (1 + margin)
-    diameter = 2 * sp.sqrt(4 * eta**2 + used**2 * (1 - eta**2) ** 2)
-    left = 8 * margin * (1 - eta**2) ** 2 / ((1 + margin) ** 2 * (2 + 2 * eta**2 + diameter))
-    across, along = HALF + 2 * eta / diameter, HALF - 2 * eta / diameter
-    power = sp.cbrt(sp.Abs(left)) * sp.sqrt(sp.Abs(left) / diameter * across)
+    apart = eta * (3 + eta**2)
+    radius = sp.sqrt(apart**2 + (1 - margin) ** 2 * (1 - eta**2) ** 3)
+    left = margin * (2 - margin) * (1 - eta**2) ** 3 / (1 + 3 * eta**2 + radius)
+    across, along = (1 + apart / radius) / 2, (1 - apart / radius) / 2
+    power = sp.cbrt(sp.Abs(left)) * sp.sqrt(sp.Abs(left) / (2 * radius) * across)
     found = []
     for index in range(DEGREE + 1):
         polynomial, ratio = sp.Integer(0), sp.Integer(1)
         for i, coefficient in enumerate(even_part(index)):
-            polynomial += ratio * coefficient.subs({at_equator: across, at_pole: along}) * (-left / diameter) ** i
+            polynomial += ratio * coefficient.subs({at_equator: across, at_pole: along}) * (-left / (2 * radius)) ** i
             ratio *= (i + HALF) / (i + 1 + FIVE_SIXTHS)
         found.append(onset_strength * power * polynomial)
     return tuple(found)
@@ -191,9 +190,10 @@ def slip_table() -> Derivation:
                      "Contacts follow Hertz across and Mindlin along the contact; a sliding one has no shear "
                      "stiffness.",
                      "The density of contact normals is of rank two."),
-        domain=("a, c > 0, a != c", "-1 < margin <= 1"),
+        domain=("a, c > 0, a != c", "margin <= 1"),
         inputs=(margin, eta, onset_strength),
         outputs=tuple(Output(symbol, e) for symbol, e in zip(SINGULAR, singular_moments(), strict=True)),
-        steps=(_coordinate_step(), _root_step(), _branch_step()),
-        functions=(onset_part(),),
+        steps=(_coordinate_step(), _root_step(), _branch_step(), slip_table_batch.components_step()),
+        functions=(onset_part(), slip_table_batch.component_function()),
+        batch=slip_table_batch.batch(),
     )

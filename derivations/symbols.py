@@ -228,7 +228,7 @@ GLOSSARY: tuple[Quantity, ...] = (
     Quantity(tangent, r"t", "-", "> 0", "tangent of the angle from axis 3"),
     Quantity(log_tangent, r"\sigma", "-", "any", "log-tangent: logarithm of t over its value nearest to sliding"),
     Quantity(kappa, r"\kappa", "-", ">= 0", "largest share of its friction that a contact uses up"),
-    Quantity(margin, r"\delta_s", "-", "-1 to 1", "margin before sliding, (1 - kappa)/(1 + kappa), 0 at the onset"),
+    Quantity(margin, r"\bar\kappa", "-", "<= 1", "friction left where contacts are nearest to sliding, 1 - kappa"),
     Quantity(onset_strength, r"B_\pm", "-", "any", "factor of what is not smooth at the onset, one on either side"),
     Quantity(psi_s, r"\psi_s", "-", "> 0", "log-tangent at the edge of the sliding directions"),
     Quantity(q0, r"q_0", "-", ">= 0", "moment of the tangential stiffness with the fourth power of the sine"),

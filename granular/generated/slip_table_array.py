@@ -2,8 +2,8 @@
 
 Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
 Source: (20), (21), (23) of Pan & Dong (1999).
-Domain: a, c > 0, a != c; -1 < margin <= 1.
-Operations: 369 (6742 in the outputs as derived).
+Domain: a, c > 0, a != c; margin <= 1.
+Operations: 451 (7736 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ def onset_part(
 ) -> tuple[Array, Array, Array, Array, Array, Array]:
     """What is not smooth at the onset of sliding in the six moments of the stiffness left by slip.
 
-    For (sqrt(a) + sqrt(c))/2 = 1. The strength is B(1/2, 4/3) times sqrt(3) before the onset, margin > 0, and
-    times -2 after it.
+    Contrast of the cube roots of the forces, with 1 for the mean of these. The strength is B(1/2, 4/3) times
+    sqrt(3) before the onset, margin > 0, and times -2 after it.
 
     Parameters
     ----------
     margin : (...) array [-]
-        Margin before sliding, (1 - kappa)/(1 + kappa), 0 at the onset.
+        Friction left where contacts are nearest to sliding, 1 - kappa.
     eta : (...) array [-]
         Contrast of the roots of the normal contact force at pole and equator.
     onset_strength : (...) array [-]
@@ -45,15 +45,16 @@ def onset_part(
 
     Operations: 369.
     """
-    even = 1 - eta*eta
-    mean = eta*eta + 1
-    span = even*(1 - margin)/(margin + 1)
-    radius = sqrt(4*eta*eta + span*span)
-    lift = even/(margin + 1)
-    left_over = 4*lift*lift*margin/(mean + radius)
+    square = eta*eta
+    even = 1 - square
+    cube = even*even*even
+    half = eta*(square + 3)
+    share = 1 - margin
+    radius = sqrt(cube*share*share + half*half)
+    left_over = cube*margin*(share + 1)/((radius + 3*square + 1))
     w = -left_over/(2*radius)
-    S = eta/radius + 1/2
-    C = -eta/radius + 1/2
+    S = half/(2*radius) + 1/2
+    C = -half/(2*radius) + 1/2
     S2 = S*S
     C2 = C*C
     S4 = S2*S2
@@ -77,3 +78,77 @@ def onset_part(
     singular4 = factor*(w1*(w2*(w3*(w4*(w5*(-z0 + 55*z1 - 330*z2 + 462*z3 - 165*z4 + 11*z5) + z0 - 80*z1 + 630*z2 - 1092*z3 + 465*z4 - 36*z5) + 28*z1 - 378*z2 + 882*z3 - 462*z4 + 42*z5) + 70*z2 - 280*z3 + 190*z4 - 20*z5) + 28*z3 - 29*z4 + 3*z5) + z4)
     singular5 = factor*(w1*(w2*(w3*(w4*(w5*(z0 - 55*z1 + 330*z2 - 462*z3 + 165*z4 - 11*z5) + 45*z1 - 540*z2 + 1134*z3 - 540*z4 + 45*z5) + 210*z2 - 882*z3 + 630*z4 - 70*z5) + 210*z3 - 300*z4 + 50*z5) + 45*z4 - 15*z5) + z5)
     return singular0, singular1, singular2, singular3, singular4, singular5
+
+
+def slip_components(
+    D33: Array, Dr33: Array, nu: Array, sum0: Array, sum1: Array, sum2: Array, factor: Array, lost0: Array, lost1: Array, lost2: Array, lost3: Array, lost4: Array, lost5: Array,
+) -> tuple[Array, Array, Array, Array, Array, Array]:
+    """Six components over (M/V) l_e^2 k_n,ref with partial slip.
+
+    What slip takes is counted in units of the mean cube root of the forces.
+
+    Parameters
+    ----------
+    D33 : (...) array [-]
+        P2 coefficient of the contact-normal density.
+    Dr33 : (...) array [-]
+        P2 coefficient of the branch-length weight.
+    nu : (...) array [-]
+        Poisson's ratio of the grain material.
+    sum0 : (...) array [-]
+    sum1 : (...) array [-]
+    sum2 : (...) array [-]
+    factor : (...) array [-]
+    lost0 : (...) array [-]
+    lost1 : (...) array [-]
+    lost2 : (...) array [-]
+    lost3 : (...) array [-]
+    lost4 : (...) array [-]
+    lost5 : (...) array [-]
+
+    Returns
+    -------
+    C1111 : (...) array [-]
+        Stiffness component 1111.
+    C3333 : (...) array [-]
+        Stiffness component 3333.
+    C1122 : (...) array [-]
+        Stiffness component 1122.
+    C1133 : (...) array [-]
+        Stiffness component 1133.
+    C2323 : (...) array [-]
+        Stiffness component 2323.
+    C1212 : (...) array [-]
+        Stiffness component 1212.
+
+    Operations: 82.
+    """
+    e0 = 2 - D33
+    e1 = 2*D33 + 2
+    w0 = 2 - Dr33
+    w1 = 2*Dr33 + 2
+    mixed = e0*w1
+    mixed_too = e1*w0
+    omega0 = e0*w0*w0
+    omega1 = w0*(2*mixed + mixed_too)
+    omega2 = w1*(mixed + 2*mixed_too)
+    omega3 = e1*w1*w1
+    complement = 2 - nu
+    share = 2 - 2*nu
+    scale = 3465
+    taken0 = scale*(lost0*omega0 + lost1*omega1 + lost2*omega2 + lost3*omega3)
+    taken1 = scale*(lost1*omega0 + lost2*omega1 + lost3*omega2 + lost4*omega3)
+    taken2 = scale*(lost2*omega0 + lost3*omega1 + lost4*omega2 + lost5*omega3)
+    kept0 = sum0 - taken0
+    kept1 = sum1 - taken1
+    kept2 = sum2 - taken2
+    shear0 = nu*sum0 + share*taken0
+    shear1 = 4*nu*sum1 + 4*share*taken1
+    both = kept0 + kept1
+    C1111 = factor*(3*complement*sum0 + share*(kept0 + 4*kept1))
+    C3333 = 8*factor*(complement*sum2 + kept1*share)
+    C1122 = factor*shear0
+    C1133 = factor*shear1
+    C2323 = factor*(share*(both + 2*kept1 + 2*kept2) + shear1)
+    C1212 = factor*(2*both*share + shear0)
+    return C1111, C3333, C1122, C1133, C2323, C1212
