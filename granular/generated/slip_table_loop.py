@@ -1,0 +1,240 @@
+"""Partial slip about its onset: what a table can hold: a loop over elements, to be compiled.
+
+Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
+Source: (20), (21), (23) of Pan & Dong (1999).
+Domain: slip_state: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
+Operations: 348 (7736 in the outputs as derived).
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+Array: TypeAlias = npt.NDArray[np.float64]
+
+
+def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, out: Array) -> int:
+    """The sums of the normal stiffness, their factor, and the cubic contrast of the forces.
+
+    Served for 1/9 <= c/a <= 6 with a and c the normal forces at equator and pole.
+
+    Parameters
+    ----------
+    all_D33 : (n,) array [-]
+        P2 coefficient of the contact-normal density.
+    all_Dr33 : (n,) array [-]
+        P2 coefficient of the branch-length weight.
+    all_SR : (n,) array [-]
+        Stress ratio, principal stress along over across axis 3.
+    all_nu : (n,) array [-]
+        Poisson's ratio of the grain material.
+    out : (5 n,) array [-]
+        sum0, sum1, sum2, factor, v of each element in turn, NaN for those that are not served.
+
+    Returns
+    -------
+    unserved : int
+        How many elements are not served.
+
+    Operations: 348.
+    """
+    unserved = 0
+    for i in range(all_D33.size):
+        D33 = all_D33[i]
+        Dr33 = all_Dr33[i]
+        SR = all_SR[i]
+        nu = all_nu[i]
+        third = 1/3
+        equator_part = 2*D33 + 5
+        pole_part = SR*(5 - D33)
+        forces = 15/(equator_part*(5 - D33)*(SR + 2))
+        a = equator_part*forces
+        c = forces*pole_part
+        less_a = a - 1
+        less_c = c - 1
+        start_a = -0.09765625
+        start_c = -0.09765625
+        start_a = start_a*less_a + 0.3876953125
+        start_c = start_c*less_c + 0.3876953125
+        start_a = start_a*less_a + -0.45849609375
+        start_c = start_c*less_c + -0.45849609375
+        start_a = start_a*less_a + 0.186279296875
+        start_c = start_c*less_c + 0.186279296875
+        start_a = start_a*less_a + -0.23828125
+        start_c = start_c*less_c + -0.23828125
+        start_a = start_a*less_a + 1.0
+        start_c = start_c*less_c + 1.0
+        squared_a = start_a*start_a
+        squared_c = start_c*start_c
+        rest_a = -a*squared_a*start_a + 1
+        rest_c = -c*squared_c*start_c + 1
+        gain_a = 0.11095869532083524
+        gain_c = 0.11095869532083524
+        gain_a = gain_a*rest_a + 0.12482853223593965
+        gain_c = gain_c*rest_c + 0.12482853223593965
+        gain_a = gain_a*rest_a + 0.1440329218106996
+        gain_c = gain_c*rest_c + 0.1440329218106996
+        gain_a = gain_a*rest_a + 0.1728395061728395
+        gain_c = gain_c*rest_c + 0.1728395061728395
+        gain_a = gain_a*rest_a + 0.2222222222222222
+        gain_c = gain_c*rest_c + 0.2222222222222222
+        gain_a = gain_a*rest_a + 0.3333333333333333
+        gain_c = gain_c*rest_c + 0.3333333333333333
+        inverse_a = gain_a*rest_a*start_a + start_a
+        inverse_c = gain_c*rest_c*start_c + start_c
+        square_a = inverse_a*inverse_a
+        square_c = inverse_c*inverse_c
+        near_a = a*square_a
+        near_c = c*square_c
+        root_a = near_a + square_a*third*(a - near_a*near_a*near_a)
+        root_c = near_c + square_c*third*(c - near_c*near_c*near_c)
+        complement = 2 - nu
+        share = 2 - 2*nu
+        roots = root_a + root_c
+        scaled = 221760*complement
+        reciprocal = 1/(roots*scaled)
+        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
+        unserved += not served
+        factor = reciprocal*roots*roots/2 if served else np.nan
+        v = reciprocal*scaled*(-root_a + root_c)
+        f1 = -1.127008120885365
+        f2 = 0.8839119593836494
+        f3 = -0.1580949141442354
+        f4 = -0.7382162053420058
+        f0 = 2.0281187593279353
+        f1 = f1*v + -1.289698911916548
+        f2 = f2*v + -0.16754064142702293
+        f3 = f3*v + 1.2724491501533515
+        f4 = f4*v + -1.5439457762283508
+        f5 = -0.06381189564321746
+        f0 = f0*v + 0.4038307676315138
+        f1 = f1*v + 1.9904366903562027
+        f2 = f2*v + -2.349654762057456
+        f3 = f3*v + 1.0516673020274019
+        f4 = f4*v + 1.1853237769118847
+        f5 = f5*v + -2.855518030460831
+        f0 = f0*v + -5.488884065791915
+        f1 = f1*v + 3.251868536740753
+        f2 = f2*v + 0.08733605960256001
+        f3 = f3*v + -2.6829223631774592
+        f4 = f4*v + 3.1496169926334425
+        f5 = f5*v + -0.4788087422117175
+        f0 = f0*v + -3.290228764813496
+        f1 = f1*v + -2.712327543512398
+        f2 = f2*v + 4.276134717914542
+        f3 = f3*v + -1.9876355715993155
+        f4 = f4*v + -2.4702152299799938
+        f5 = f5*v + 6.410492389575234
+        f0 = f0*v + 9.05828465887658
+        f1 = f1*v + -6.581248950769799
+        f2 = f2*v + 0.39790878892421877
+        f3 = f3*v + 4.598617655810052
+        f4 = f4*v + -4.969655344433994
+        f5 = f5*v + -0.8836334050852646
+        f0 = f0*v + 9.920759410715927
+        f1 = f1*v + 2.6068678526260234
+        f2 = f2*v + -6.9386018937374825
+        f3 = f3*v + 3.031764432081388
+        f4 = f4*v + 5.211157039816521
+        f5 = f5*v + -11.294420223424808
+        f0 = f0*v + -12.498197308348882
+        f1 = f1*v + 11.941737821282828
+        f2 = f2*v + -1.6724781844464234
+        f3 = f3*v + -7.300685080955348
+        f4 = f4*v + 6.738755390588093
+        f5 = f5*v + 6.320437814359273
+        f0 = f0*v + -25.967255356561367
+        f1 = f1*v + 0.23464705643670614
+        f2 = f2*v + 10.254606986229199
+        f3 = f3*v + -4.136792033647848
+        f4 = f4*v + -9.96911508816298
+        f5 = f5*v + 16.500624421739914
+        f0 = f0*v + 5.709979185989808
+        f1 = f1*v + -18.803498481028065
+        f2 = f2*v + 4.271497361621296
+        f3 = f3*v + 10.728172744857623
+        f4 = f4*v + -7.190079988233513
+        f5 = f5*v + -19.251301746478575
+        f0 = f0*v + 49.24013351177756
+        f1 = f1*v + -8.903984327190697
+        f2 = f2*v + -13.525961714369302
+        f3 = f3*v + 5.001472742831381
+        f4 = f4*v + 16.789241484570216
+        f5 = f5*v + -16.128680747939512
+        f0 = f0*v + 25.464333426291123
+        f1 = f1*v + 23.399899971839027
+        f2 = f2*v + -8.572868440626399
+        f3 = f3*v + -14.490952791511496
+        f4 = f4*v + 4.084278933856874
+        f5 = f5*v + 41.428204559348906
+        f0 = f0*v + -69.01523403031084
+        f1 = f1*v + 25.596200592380644
+        f2 = f2*v + 15.47899438723448
+        f3 = f3*v + -5.238690994052622
+        f4 = f4*v + -24.05800144910201
+        f5 = f5*v + -4.2240947286106865
+        f0 = f0*v + -118.80474879999404
+        f1 = f1*v + -16.92111188107454
+        f2 = f2*v + 14.44179140731635
+        f3 = f3*v + 18.095902752466333
+        f4 = f4*v + 4.753982141729736
+        f5 = f5*v + -60.74509120292158
+        f0 = f0*v + -17.88362308587936
+        f1 = f1*v + -45.76581725788825
+        f2 = f2*v + -14.916567436373807
+        f3 = f3*v + 4.6487258865223415
+        f4 = f4*v + 28.159085497088473
+        f5 = f5*v + 61.92903072097954
+        f0 = f0*v + 188.9160911329836
+        f1 = f1*v + -11.299198221802731
+        f2 = f2*v + -21.907438278946408
+        f3 = f3*v + -22.014130348504448
+        f4 = f4*v + -20.21814717789597
+        f5 = f5*v + 26.552988807287875
+        f0 = f0*v + 339.7888386123718
+        f1 = f1*v + 54.05731523378518
+        f2 = f2*v + 11.583710407238737
+        f3 = f3*v + -3.3785822021095924
+        f4 = f4*v + -25.339366515838947
+        f5 = f5*v + -125.42986425339075
+        f0 = f0*v + 315.07692307692275
+        f1 = f1*v + 78.76923076923077
+        f2 = f2*v + 39.38461538461537
+        f3 = f3*v + 34.461538461538474
+        f4 = f4*v + 51.692307692307686
+        f5 = f5*v + 142.15384615384534
+        f0 = f0*v + -1083.076923076923
+        f1 = f1*v + -68.92307692307692
+        f2 = f2*v + -11.076923076923077
+        f3 = f3*v + 3.0769230769230758
+        f4 = f4*v + 26.923076923076923
+        f5 = f5*v + 218.07692307692307
+        f0 = f0*v + 1280.0
+        f1 = f1*v + 128.0
+        f2 = f2*v + 48.0
+        f3 = f3*v + 40.0
+        f4 = f4*v + 70.0
+        f5 = f5*v + 315.0
+        e0 = 2 - D33
+        e1 = 2*D33 + 2
+        w0 = 2 - Dr33
+        w1 = 2*Dr33 + 2
+        mixed = e0*w1
+        mixed_too = e1*w0
+        omega0 = e0*w0*w0
+        omega1 = w0*(2*mixed + mixed_too)
+        omega2 = w1*(mixed + 2*mixed_too)
+        omega3 = e1*w1*w1
+        sum0 = f0*omega0 + f1*omega1 + f2*omega2 + f3*omega3
+        sum1 = f1*omega0 + f2*omega1 + f3*omega2 + f4*omega3
+        sum2 = f2*omega0 + f3*omega1 + f4*omega2 + f5*omega3
+        place = 5*i
+        out[place + 0] = sum0
+        out[place + 1] = sum1
+        out[place + 2] = sum2
+        out[place + 3] = factor
+        out[place + 4] = v
+    return unserved
