@@ -30,12 +30,15 @@ class AxialScene:
         The axis in the frame of the scene [-], a unit vector.
     recognised : bool
         Whether the axis was found from tensors in any frame, to rounding, rather than given as axis 3.
+    deviation : float
+        What of the tensors has been left out by that, over the isotropic part of each [-].
     """
 
     fabric: AxialFabric
     loading: Loading | None
     axis: Axis
     recognised: bool = True
+    deviation: float = 0.0
 
     @property
     def axis_name(self) -> str:

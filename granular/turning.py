@@ -19,12 +19,17 @@ if TYPE_CHECKING:
 SPREAD = 6.0
 """Error of the turned stiffness over its largest entry, per unit of the error of a component about the axis [-]."""
 
-TURNED, TURNED_AT_ONSET = 2e-13, 4e-12
+TURNED = 2e-13
 """What turning a scene to axis 3 and back may add to the error of a component, over the largest [-]: rounding of the
-tensors and of the result. At the onset of sliding the stiffness moves like the power 5/6 of a change in stress."""
+tensors and of the result, and what is left out of tensors that are axial to 2^-44."""
+
+AT_ONSET, ROUNDING = 20.0, 2.0**-51
+"""At the onset of sliding, and where no contact across the axis is pressed, the stiffness moves like the power 5/6 of a
+change in stress: by this factor times the power of what is left out of the tensors, and of their rounding [-]. Over a
+few dozen rotations no more than a third of it was seen."""
 
 ONSET = 1e-6
-"""Onset of sliding is near when kappa^2 is this close to 1 [-]."""
+"""An onset is near when kappa^2 is this close to 1, or the force across the axis this small beside that along [-]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,11 +77,14 @@ def turning_of(scene: AxialScene) -> Turning:
     """
     if not scene.recognised:
         return NOT_TURNED
-    added = TURNED_AT_ONSET if _near_onset(scene) else TURNED
+    added = TURNED + (AT_ONSET * max(scene.deviation, ROUNDING) ** (5 / 6) if _near_onset(scene) else 0.0)
     return Turning(1.0 if scene.axis == AXIS_3 else SPREAD, added)
 
 
 def _near_onset(scene: AxialScene) -> bool:
-    """Whether one direction is just about to slide."""
-    tilt = None if scene.loading is None else scene.loading.tilt(scene.fabric.D33)
-    return tilt is not None and abs(tilt - 1) < ONSET
+    """Whether one direction is just about to slide, or all those across the axis to open."""
+    if scene.loading is None:
+        return False
+    across, along = scene.loading.coefficients(scene.fabric.D33)
+    tilt = scene.loading.tilt(scene.fabric.D33)
+    return abs(across) < ONSET * abs(along) or (tilt is not None and abs(tilt - 1) < ONSET)

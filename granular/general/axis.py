@@ -59,10 +59,13 @@ def axial_scene(fabric: GeneralFabric, loading: GeneralLoading | None) -> AxialS
         second.append(stress - np.eye(3) * np.trace(stress) / 3)
     fourth = None if fabric.D4 is None else np.array(fabric.D4)
     axis = _candidate(second, fourth)
-    if axis is None or not all(_is_axial_2(tensor, axis) for tensor in second):
+    if axis is None:
         return None
     of_rank_four = 0.0 if fourth is None else float(np.einsum("ijkl,i,j,k,l", fourth, axis, axis, axis, axis))
-    if fourth is not None and float(np.abs(fourth - of_rank_four * _fourth_about(axis)).max()) > NEAR:
+    left = [_left_over(tensor, axis) for tensor in second]
+    if fourth is not None:
+        left.append(float(np.abs(fourth - of_rank_four * _fourth_about(axis)).max()))
+    if not max(left) <= NEAR:
         return None
     try:
         axial = AxialFabric(D33=_inside(float(axis @ second[0] @ axis)), D3333=of_rank_four,
@@ -70,7 +73,7 @@ def axial_scene(fabric: GeneralFabric, loading: GeneralLoading | None) -> AxialS
     except FabricOutOfRange:  # admissible to rounding only: the route without an axis takes it
         return None
     one, two, three = (0.0 + value for value in axis.tolist())  # no zero with a sign
-    return AxialScene(axial, _about(loading, axis), (one, two, three))
+    return AxialScene(axial, _about(loading, axis), (one, two, three), deviation=max(left))
 
 
 def _inside(D33: float) -> float:
@@ -114,13 +117,13 @@ def _candidate(second: list[Array], fourth: Array | None) -> Array | None:
     return axis
 
 
-def _is_axial_2(tensor: Array, axis: Array) -> bool:
-    """Whether a traceless tensor of rank two is its axial part."""
+def _left_over(tensor: Array, axis: Array) -> float:
+    """How far a traceless tensor of rank two is from its axial part."""
     import numpy as np
 
     along = float(axis @ tensor @ axis)
     part = along * (3 * np.outer(axis, axis) - np.eye(3)) / 2
-    return float(np.abs(tensor - part).max()) <= NEAR
+    return float(np.abs(tensor - part).max())
 
 
 def fourth_about_axis_3(D3333: float) -> Tensor4:

@@ -79,8 +79,9 @@ def apart(one, other):
 @pytest.mark.parametrize(("numbers", "hypothesis"), [
     ((0.3, -0.3, 1.0, None), "kinematic"), ((0.3, -0.3, 1.0, 0.2126), "kinematic"),
     ((0.3, 0.2, 2.0, 0.2126), "kinematic"), ((0.5, 0.0, -0.2, 0.3), "kinematic"), ((0.3, 0.1, 0.0, None), "kinematic"),
-    ((0.3, 0.1, 1.4, 0.3, 0.2), "kinematic"), ((0.3, -0.3, 1.0, 0.2126), "static"), ((-0.4, 0.3, 0.8, None), "static"),
-], ids=["no slip", "sticking", "sliding", "opened", "no stress along", "rank four", "static sticking", "static"])
+    ((0.3, 0.1, 1.4, 0.3, 0.2), "kinematic"), ((0.0, 0.0, 1.5, 0.2041241452319315), "kinematic"), ((0.3, -0.3, 1.0, 0.2126), "static"), ((-0.4, 0.3, 0.8, None), "static"),
+], ids=["no slip", "sticking", "sliding", "opened", "no stress along", "rank four", "about to slide",
+        "static sticking", "static"])
 def test_a_turned_scene_has_the_turned_stiffness(numbers, hypothesis):
     # Breaks when a tensor is turned the wrong way round, or the error that turning costs is not counted.
     turn = rotation(31)
@@ -91,6 +92,14 @@ def test_a_turned_scene_has_the_turned_stiffness(numbers, hypothesis):
     assert apart(found.stiffness, about_3.stiffness.rotated(turn)) <= found.relative_error < 1e-10
     assert found.about_axis.components == pytest.approx(about_3.stiffness.components, rel=1e-10, abs=1e-4)
     assert found.ratios[0].value == pytest.approx(about_3.ratios[0].value, rel=1e-10)
+
+
+def test_no_stress_across_the_axis():
+    # Breaks when contacts that are just not pressed move the stiffness by more than turning is said to.
+    turn, straight = rotation(2), np.diag([0.0, 0.0, 1e4])
+    about_3 = granular.evaluate(scene(stress={"tensor": straight}))
+    found = granular.evaluate(scene(stress={"tensor": turn @ straight @ turn.T}))
+    assert apart(found.stiffness, about_3.stiffness.rotated(turn)) <= found.relative_error < 1e-11
 
 
 @pytest.mark.parametrize("route", ["axial", "sphere", "exact", "certified", "closed_form", "midpoint"])
