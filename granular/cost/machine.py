@@ -10,8 +10,13 @@ from pathlib import Path
 PACKAGES = ("granular", "numpy", "scipy", "python-flint", "sympy", "mpmath", "legacy-quadpy")
 
 
-def machine() -> dict[str, str]:
+def machine(packages: tuple[str, ...] = PACKAGES) -> dict[str, str]:
     """Describe where times were measured, without naming the machine.
+
+    Parameters
+    ----------
+    packages : tuple of str
+        Whose versions are told.
 
     Returns
     -------
@@ -20,7 +25,7 @@ def machine() -> dict[str, str]:
     """
     described = {"processor": _processor(), "cores": str(os.cpu_count()), "system": platform.system(),
                  "python": platform.python_version()}
-    for package in PACKAGES:
+    for package in packages:
         try:
             described[package] = version(package)
         except PackageNotFoundError:

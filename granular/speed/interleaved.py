@@ -25,11 +25,14 @@ class Way:
         How many elements one call does [-]; a slow way does fewer.
     call : callable
         Does them.
+    error : callable or None
+        Worst relative error of what it gives [-]; None where there is nothing to compare with.
     """
 
     name: str
     elements: int
     call: Callable[[], object]
+    error: Callable[[], float] | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,6 +55,8 @@ class Measured:
         Median time of an element [ns].
     rounds : int
         How often it was timed [-].
+    error : float or None
+        Worst relative error [-], where it was looked for.
     """
 
     name: str
@@ -61,6 +66,7 @@ class Measured:
     spread: float
     nanoseconds: float
     rounds: int
+    error: float | None = None
 
 
 def measure(ways: Sequence[Way], *, rounds: int, advanced: Callable[[], None] = lambda: None) -> list[Measured]:
@@ -113,7 +119,7 @@ def _measured(way: Way, own: Sequence[float], base: Sequence[float]) -> Measured
     quartiles = statistics.quantiles(ratios, n=4) if len(ratios) > 1 else [ratio] * 3
     return Measured(name=way.name, elements=way.elements, ratio=ratio, least=min(own) / min(base),
                     spread=(quartiles[2] - quartiles[0]) / 2 / ratio, nanoseconds=statistics.median(own) * 1e9,
-                    rounds=len(own))
+                    rounds=len(own), error=None if way.error is None else way.error())
 
 
 def _time(call: Callable[[], object], repeats: int) -> float:

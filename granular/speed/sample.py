@@ -63,7 +63,6 @@ def sample(size: int) -> Sample:
     """
     import numpy as np
 
-    rng = np.random.default_rng(1999)
-    return Sample(rng.uniform(-1.0, 2.0, size), rng.uniform(-0.9, 1.9, size),
-                  np.exp(rng.uniform(-np.log(3.0), np.log(3.0), size)),
-                  np.exp(rng.uniform(np.log(0.1), 0.0, size)))
+    # a row for each assembly, so that few are the first of many
+    D33, Dr33, stress_ratio, friction = np.random.default_rng(1999).random((size, 4)).T
+    return Sample(3 * D33 - 1, 2.8 * Dr33 - 0.9, 3.0 ** (2 * stress_ratio - 1), 10.0 ** (friction - 1))
