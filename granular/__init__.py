@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from granular.evaluation import Evaluation, evaluate
     from granular.fabric import AxialFabric
     from granular.fabric_tensors import fabric_of
+    from granular.fitting import fit
     from granular.general import GeneralFabric, GeneralLoading, classify, general_stiffness
     from granular.gradation import Lognormal, MeasuredCurve, length_moments, read_curve
     from granular.hypothesis import Hypothesis
@@ -53,6 +54,7 @@ _HOME = {
     "classify": "granular.general",
     "evaluate": "granular.evaluation",
     "fabric_of": "granular.fabric_tensors",
+    "fit": "granular.fitting",
     "general_stiffness": "granular.general",
     "length_moments": "granular.gradation",
     "open_sweep": "granular.sweeps",
@@ -67,8 +69,8 @@ _HOME = {
 __all__ = [
     "AxialFabric", "Compliance", "Evaluation", "GeneralFabric", "GeneralLoading", "GranularError", "Hypothesis",
     "Lognormal", "MeasuredCurve", "Plan", "Scene", "Stiffness", "axial_gradient", "axial_stiffness", "classify",
-    "evaluate", "fabric_of", "general_stiffness", "length_moments", "open_sweep", "plan", "read_curve", "sensitivity",
-    "stiffness_by_direction", "summarise", "sweep",
+    "evaluate", "fabric_of", "fit", "general_stiffness", "length_moments", "open_sweep", "plan", "read_curve",
+    "sensitivity", "stiffness_by_direction", "summarise", "sweep",
 ]
 
 

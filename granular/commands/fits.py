@@ -19,8 +19,8 @@ def fit(
     json: AsJson = False,
 ) -> None:
     """Fabric from wave speeds or stiffness, with what the data say about it and what they do not."""
-    from granular.fit import fit as solve
-    from granular.fit.report import fit_as_json, fit_as_text
+    from granular.fitting import fit as solve
+    from granular.fitting.report import fit_as_json, fit_as_text
 
     result = solve(data)
     if figure is not None:

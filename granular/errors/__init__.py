@@ -21,7 +21,7 @@ from granular.errors.contact_lists import (
     ContactTwice,
     ContactValuesMissing,
 )
-from granular.errors.derivatives import SlopeInfinite, SlopesNotBuilt
+from granular.errors.derivatives import MeasurementsTooFew, SlopeInfinite, SlopesNotBuilt
 from granular.errors.fabrics import BranchesUnusable, DirectionNotUnit, FabricOutOfRange, TooFewDirections
 from granular.errors.figures import FigureNotKnown, FigureNotWritten
 from granular.errors.files import BadOption, FileTooLarge, FileUnreadable, NotToml, OutputUnwritable
@@ -84,6 +84,7 @@ __all__ = [
     "FileUnreadable",
     "GranularError",
     "IndexNotKnown",
+    "MeasurementsTooFew",
     "MissingKey",
     "NotFinite",
     "NotToml",
@@ -122,7 +123,7 @@ CATALOGUE: tuple[type[GranularError], ...] = (
     FabricOutOfRange, BranchesUnusable, DirectionNotUnit, TooFewDirections,
     CurveMalformed, CurveInPercent, CurveNotMonotone, CurveIncomplete,
     ContactFileUnusable, ContactColumnsMissing, ContactValuesMissing, ContactImpossible, ContactTwice,
-    ComplianceInfinite, SlopeInfinite, SlopesNotBuilt,
+    ComplianceInfinite, SlopeInfinite, SlopesNotBuilt, MeasurementsTooFew,
     RouteOutOfDomain, CertifiedArithmeticMissing,
     SweepEmpty, SweepTooLarge, SweepFolderTaken, SchedulerUnreachable, WorkersUnusable, SweepLibraryMissing,
     IndexNotKnown, TensorNotElastic, TensorNotInvertible, TensorNotPositive, DirectionNotValid,

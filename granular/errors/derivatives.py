@@ -17,3 +17,10 @@ class SlopesNotBuilt(GranularError):
 
     code = "G-SLP-02"
     title = "A scene without slopes"
+
+
+class MeasurementsTooFew(GranularError):
+    """A fit has more unknowns than measurements that say something about them."""
+
+    code = "G-FIT-01"
+    title = "Too few measurements"
