@@ -50,7 +50,7 @@ def fabric_picture(fabric: GeneralFabric) -> Picture:
     meaning = "principal value of the tensor"
     return Picture((Map(density, principal(fabric.D), meaning),
                     Map(length, () if fabric.Dr is None else principal(fabric.Dr), meaning)),
-                   (_level(1.0, "isotropic"), density, length))
+                   ((_level(1.0, "isotropic"), density, length),))
 
 
 def forces_picture(fabric: GeneralFabric, loading: GeneralLoading) -> Picture:
@@ -87,7 +87,8 @@ def forces_picture(fabric: GeneralFabric, loading: GeneralLoading) -> Picture:
     if friction:
         used = (Quantity("used friction", "$f_r/\\mu f_n$", "f<sub>r</sub>/μ f<sub>n</sub>", "–",
                          lambda n: shear(n) / np.maximum(friction * normal(n), shear(n) + 1e-300), INK),)
-    return Picture((Map(signed, stress, STRESS), Map(aside, stress, STRESS)), (pressing, aside, *limited),
+    return Picture((Map(signed, stress, STRESS), Map(aside, stress, STRESS)),
+                   ((_level(1.0, "isotropic"), pressing), (aside, *limited)),
                    margin=_margin(normal, shear, friction), force=normal,
                    turned=tuple(Map(one, stress, STRESS) for one in (pressing, aside, *used)))
 
@@ -124,7 +125,7 @@ def contacts_picture(fabric: GeneralFabric, loading: GeneralLoading, *, poisson_
     k_r = Quantity("shear stiffness of contacts", "$k_r$", "k<sub>r</sub>", "–",
                    lambda n: contact_stiffness(forces, loading.friction, n, poisson_ratio)[1], VERMILION, "--")
     equal = (_level(1.0, "equal contacts"), _level(stiffness_ratio(poisson_ratio), ""))
-    return Picture((Map(k_n, stress, STRESS), Map(k_r, stress, STRESS)), (*equal, k_n, k_r),
+    return Picture((Map(k_n, stress, STRESS), Map(k_r, stress, STRESS)), ((*equal, k_n, k_r),),
                    margin=_margin(normal, shear, loading.friction), force=normal)
 
 
@@ -155,7 +156,7 @@ def stiffness_picture(stiffness: Stiffness) -> Picture:
                         VERMILION, "--")
     meaning = "value over all directions"
     return Picture((Map(young, extremes(young.values), meaning), Map(confined, extremes(confined.values), meaning)),
-                   (young, confined))
+                   ((young, confined),))
 
 
 def extremes(values: Values) -> tuple[Mark, ...]:

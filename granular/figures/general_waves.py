@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from granular.figures.hemisphere import Mark, projected
 from granular.figures.look import BLUE, GREEN, INK, VERMILION, WIDTH, blank, house_style
-from granular.figures.over_sphere import PLANES, Map, Picture, Quantity, draw_maps, name_curves
+from granular.figures.over_sphere import MAPS, PLANES, Map, Picture, Quantity, draw_maps, name_curves
 
 if TYPE_CHECKING:
     import numpy as np
@@ -65,7 +65,7 @@ def waves_picture(waves: GeneralWaves) -> Picture:
                          partial(splitting_of, waves), INK)
     meaning = "value over all directions"
     maps = Map(qP, of_speed, meaning), Map(splitting, of_splitting, meaning)
-    return Picture(maps, (qP, qS1, qS2), turned=(maps[0], Map(qS1), Map(qS2), maps[1]),
+    return Picture(maps, ((qP, qS1, qS2),), turned=(maps[0], Map(qS1), Map(qS2), maps[1]),
                    note="bars: polarisation of qS1")
 
 
@@ -123,7 +123,7 @@ def general_waves_figure(waves: GeneralWaves) -> Figure:
     figure = blank(height=HEIGHT, layout=None)
     _, split = draw_maps(figure, waves_picture(waves))
     _bars(split, waves)
-    name_curves(figure, [(name, colour) for name, _, colour, _ in WAVES])
+    name_curves(figure, [(name, colour) for name, _, colour, _ in WAVES], below=MAPS)
     degrees = np.linspace(0.0, 180.0, 181)
     planes = [waves.at(np.outer(np.cos(np.radians(degrees)), np.eye(3)[first])
                        + np.outer(np.sin(np.radians(degrees)), np.eye(3)[second])).speeds for first, second in PLANES]

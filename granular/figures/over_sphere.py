@@ -34,8 +34,11 @@ LOOK: dict[str, dict[str, Any]] = {
     "opened": {"facecolor": "none", "edgecolor": HATCH, "hatch": "////", "linewidth": 0}}
 """Of these directions in a rose."""
 
-HEIGHT = 5.5
-"""Of the figure [in]."""
+MAPS = 3.66
+"""From the top of a figure to the names of the first row of curves [in]."""
+
+ROW, LAST_ROW = 2.04, 1.84
+"""From the names of one row of roses to those of the next, and to the end of the figure [in]."""
 
 ROSE = 1.3
 """Side of a rose [in]."""
@@ -101,8 +104,8 @@ class Picture:
     ----------
     maps : tuple of 2 Map
         The upper half spheres.
-    roses : tuple of Quantity
-        Drawn in each coordinate plane as distance from the centre.
+    roses : tuple of tuples of Quantity
+        Rows of roses: drawn in each coordinate plane as distance from the centre, each row on its own scale.
     margin : callable or None
         Negative where contacts slide: takes unit vectors (3, q) [-], gives (q,) [any unit]; None where none can.
     force : callable or None
@@ -114,7 +117,7 @@ class Picture:
     """
 
     maps: tuple[Map, Map]
-    roses: tuple[Quantity, ...]
+    roses: tuple[tuple[Quantity, ...], ...]
     margin: Values | None = None
     force: Values | None = None
     turned: tuple[Map, ...] = ()
@@ -133,42 +136,55 @@ def sphere_figure(picture: Picture) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Five panels and two colour bars.
+        Two maps with their colour bars, and three panels for each row of roses.
 
     Notes
     -----
     Source: the equal-area projection; distance as value.
     """
-    figure = blank(height=HEIGHT, layout=None)
+    height = MAPS + ROW * (len(picture.roses) - 1) + LAST_ROW
+    figure = blank(height=height, layout=None)
     draw_maps(figure, picture)
     limits = _limits(picture)
-    side = 1.1 * max(float(curve.values(_circle(*plane)[0]).max()) for curve in picture.roses for plane in PLANES)
-    for place, (first, second) in enumerate(PLANES):
-        axes = figure.add_axes(((0.56 + 1.87 * place) / WIDTH, 0.46 / HEIGHT, ROSE / WIDTH, ROSE / HEIGHT))
-        n, x, y = _circle(first, second)
-        for word, inside in limits:
-            reach = 1.5 * side * inside(n)  # a polygon that returns to the centre wherever contacts stick
-            axes.fill(reach * x, reach * y, zorder=0, **LOOK[word])
-        for curve in picture.roses:
-            radius = curve.values(n)
-            axes.plot(radius * x, radius * y, color=curve.colour, linestyle=curve.line, linewidth=1.5)
-        unit = picture.roses[0].unit
-        frame_section(axes, side, across=f"axis {first + 1} [{unit}]", upward=f"axis {second + 1} [{unit}]", ticks=5)
-        axes.yaxis.labelpad = 1.5
-    names = [(curve.symbol, curve.colour) for curve in picture.roses if curve.symbol]
-    name_curves(figure, [*names, *((word, COLOUR[word]) for word, _ in limits)])
+    for row, roses in enumerate(picture.roses):
+        named = [(curve.symbol, curve.colour) for curve in roses if curve.symbol]
+        if row == len(picture.roses) - 1:
+            named += [(word, COLOUR[word]) for word, _ in limits]
+        name_curves(figure, named, below=MAPS + ROW * row)
+        side = 1.1 * max(float(curve.values(_circle(*plane)[0]).max()) for curve in roses for plane in PLANES) or 1.0
+        for column, plane in enumerate(PLANES):
+            axes = figure.add_axes(((0.56 + 1.87 * column) / WIDTH, 1 - (MAPS + ROW * row + 0.08 + ROSE) / height,
+                                    ROSE / WIDTH, ROSE / height))
+            _rose(axes, roses, plane, side, limits)
     return figure
 
 
-def name_curves(figure: Figure, names: Sequence[tuple[str, str]]) -> None:
-    """Write the names of curves in their colours in a row below the maps.
+def _rose(axes: Axes, roses: tuple[Quantity, ...], plane: tuple[int, int], side: float,
+          limits: list[tuple[str, Values]]) -> None:
+    """Curves in one coordinate plane, over the directions that slide or have opened."""
+    n, x, y = _circle(*plane)
+    for word, inside in limits:
+        reach = 1.5 * side * inside(n)  # a polygon that returns to the centre wherever contacts stick
+        axes.fill(reach * x, reach * y, zorder=0, **LOOK[word])
+    for curve in roses:
+        radius = curve.values(n)
+        axes.plot(radius * x, radius * y, color=curve.colour, linestyle=curve.line, linewidth=1.5)
+    across, upward = (f"axis {axis + 1} [{roses[0].unit}]" for axis in plane)
+    frame_section(axes, side, across=across, upward=upward, ticks=5)
+    axes.yaxis.labelpad = 1.5
+
+
+def name_curves(figure: Figure, names: Sequence[tuple[str, str]], *, below: float) -> None:
+    """Write the names of curves in their colours in a row.
 
     Parameters
     ----------
     figure : Figure
-        With the maps.
+        Placed by hand.
     names : sequence of 2 str
         Name and colour of each.
+    below : float
+        Where the row stands, from the top of the figure [in].
 
     Notes
     -----
@@ -176,7 +192,7 @@ def name_curves(figure: Figure, names: Sequence[tuple[str, str]]) -> None:
     """
     for place, (text, colour) in enumerate(names):
         across = 0.5 + PITCH * (place - (len(names) - 1) / 2)
-        figure.text(across, 1 - 3.66 / figure.get_figheight(), text, color=readable(colour), ha="center",
+        figure.text(across, 1 - below / figure.get_figheight(), text, color=readable(colour), ha="center",
                     va="baseline")
 
 
@@ -216,7 +232,7 @@ def draw_maps(figure: Figure, picture: Picture) -> list[Axes]:
             opened = hatch_opened(axes, picture.force)
         draw_marks(axes, shown.marks)
         bar = figure.add_axes(((middle - 0.95) / WIDTH, 1 - 2.54 / height, 1.9 / WIDTH, 0.09 / height))
-        figure.colorbar(shades, cax=bar, orientation="horizontal", format="%.4g", ticks=MaxNLocator(4),
+        figure.colorbar(shades, cax=bar, orientation="horizontal", format="{x:.4g}", ticks=MaxNLocator(4),
                         label=f"{shown.quantity.symbol} [{shown.quantity.unit}]").outline.set_visible(False)
     below = ", ".join(["equal area, upper half seen along axis 3 (+)", *["dashed: edge of sliding"] * edge,
                        *["hatched: opened"] * opened, *[picture.note] * bool(picture.note)])

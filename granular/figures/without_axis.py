@@ -45,10 +45,9 @@ def _waves_of(scene: Scene) -> GeneralWaves:
     from granular.evaluation import evaluate
     from granular.figures.waves import required_density
     from granular.general import general_waves
-    from granular.waves import bulk_density
 
-    density = bulk_density(required_density(scene.grains.density), scene.packing.void_ratio)
-    return general_waves(evaluate(scene).stiffness, density=density)
+    result = evaluate(scene)
+    return general_waves(result.stiffness, density=required_density(result.density))
 
 
 def _waves(scene: Scene) -> Figure:

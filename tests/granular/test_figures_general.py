@@ -148,7 +148,7 @@ def test_an_axial_scene_keeps_its_numbers():
     np.testing.assert_allclose(normal, normal_force(axial, loading, n[2]), rtol=1e-14)
     np.testing.assert_allclose(shear, shear_force(axial, loading, n[2]), atol=1e-14)
     body = Stiffness.transversely_isotropic(9e8, 7e8, 3e8, 2e8, 2.5e8, 3e8)
-    found = waves_picture(general_waves(body, density=1600.0)).roses[0].values(n)
+    found = waves_picture(general_waves(body, density=1600.0)).roses[0][0].values(n)
     expected = [phase_velocities(body, density=1600.0, degrees=float(np.degrees(np.arccos(z)))).P for z in n[2]]
     np.testing.assert_allclose(found, expected, rtol=1e-13)
 
