@@ -204,11 +204,12 @@ def _class(seen: Symmetry) -> str:
 
 def _engineering(found: GeneralEngineering) -> RenderableType:
     size, unit = unit_for(max(found.stiffest.value, found.K))
-    moduli = {"E1": found.E1, "E2": found.E2, "E3": found.E3, "G23": found.G23, "G13": found.G13, "G12": found.G12,
-              "K": found.K}
+    moduli = {"E1": found.E1, "E2": found.E2, "E3": found.E3, "K": found.K}
+    shear = {"G23": found.G23, "G13": found.G13, "G12": found.G12}
     ratios = {"nu12": found.nu12, "nu13": found.nu13, "nu23": found.nu23, "nu21": found.nu21, "nu31": found.nu31,
               "nu32": found.nu32}
-    return lines("  ".join(f"{name} {value / size:.4g}" for name, value in moduli.items()) + f"  {unit}",
+    return lines(*("  ".join(f"{name} {value / size:.5g}" for name, value in line.items()) + f"  {unit}"
+                   for line in (moduli, shear)),
                  "  ".join(f"{name} {value:.3g}" for name, value in ratios.items()),
                  "Young's modulus from " + _extreme(found.softest, size, unit),
                  "to " + _extreme(found.stiffest, size, unit))

@@ -17,8 +17,10 @@ from page_tools.markup import Markup
 from granular.figures.general_fabric import TILTS, by_tilt, tilted, tilted_fabric
 from granular.general import GeneralLoading, Symmetry, general_stiffness
 from granular.general.engineering import along
+from granular.general.routes import GENERAL_ROUTES
 from granular.general.symmetry import axial_part, orthotropic_part
 from granular.mandel import symmetric_rows, turned
+from granular.scene import Scene
 
 VISIBLE = re.compile(r"^```\{code-cell\} python\n(?!:)(.*?)^```", flags=re.MULTILINE | re.DOTALL)
 """Cells that readers see unfolded: the two examples."""
@@ -55,6 +57,23 @@ def test_the_page_and_its_tools_show_one_scene(shown: dict[str, Any]) -> None:
     """Breaks when the visible example and the one behind table and figure drift apart."""
     assert shown["fabric"].D == pytest.approx(np.array(tilted(general_fabric.D33, general_fabric.TILT).D), abs=1e-15)
     assert shown["loading"] == general_fabric.example(friction=shown["loading"].friction)
+
+
+def test_the_file_holds_the_scene_of_the_page(shown: dict[str, Any], book: Path) -> None:
+    """Breaks when the file that the page offers is another scene than the one it shows."""
+    scene = Scene.from_toml(book / "_data/tilted_fabric.toml")
+    assert scene.general_fabric == shown["fabric"]
+    assert scene.grains.friction == shown["loading"].friction
+    stress, given = (np.array(loading.stress) for loading in (scene.general_loading(None), shown["loading"]))
+    assert np.abs(stress / stress[0, 0] - given / given[0, 0]).max() == 0.0
+    assert "differs from the result above by" in general_fabric.same_scene(
+        str(book / "_data/tilted_fabric.toml"), shown["found"]).text
+
+
+def test_the_page_lists_every_route_without_an_axis() -> None:
+    """Breaks when a route is added and the table of the page is not made of the records."""
+    text = general_fabric.general_routes().text
+    assert all(f"`{name}`" in text for name in GENERAL_ROUTES)
 
 
 def test_thirteen_numbers_are_left(shown: dict[str, Any]) -> None:

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from granular import axial_stiffness
+from granular import Scene, axial_stiffness, evaluate
 from granular.figures.general_fabric import TILTS, by_tilt, tilted, tilted_fabric
 from granular.figures.page import Static
 from granular.general import GeneralFabric, GeneralLoading, GeneralStiffness, Symmetry, classify, general_stiffness
 from granular.general.axis import rotation_to
 from granular.general.fabric import spread_directions
 from granular.general.loading import contact_stiffness
+from granular.general.routes import GENERAL_AUTO, GENERAL_CATALOGUE
 from granular.mandel import six_of, symmetric_rows, turned
 from granular.notation import MANDEL_PAIRS
 from granular.routes.direction_sums import contact_tensor, fourth_rank, mandel_matrix, symmetrised
 from granular.tensors import Tensor
-from page_tools.markup import Markup, numbers_to_take_away, table
+from page_tools.markup import Markup, numbers_to_take_away, plain, table
 
 NU = 0.21
 D33, TILT = 0.5, 45.0
@@ -123,6 +124,25 @@ def axial_scene(found: GeneralStiffness, *, stress_ratio: float, friction: float
             for name, value in zip(NAMES, upright, strict=True)]
     return table(["", "in space, turned to its axis", "given about axis 3"], rows, label="tab-general-axial",
                  align="lrr", caption=f"The axis found is ({_parts(found.axis)}). {_error(found)}.")
+
+
+def same_scene(file: str, found: GeneralStiffness) -> Markup:
+    """The scene of a file beside the same tensors given in Python."""
+    result = evaluate(Scene.from_toml(file))
+    normalised = [[value / result.reference_stiffness for value in row] for row in result.stiffness.rows]
+    off, stated = _apart(normalised, found.rows), result.relative_error + found.relative_error
+    if off > stated:
+        raise AssertionError(f"the file gives another stiffness: {off} apart, {stated} stated")
+    return Markup(f"Over its unit it differs from the result above by {off:.0e} of the largest entry; the two together "
+                  f"state {stated:.0e}.\n")
+
+
+def general_routes() -> Markup:
+    """The routes of scenes without an axis."""
+    rows = [[f"`{route.name}`<br>{plain(route.title)}", plain(route.domain), plain(route.error_model)]
+            for route in GENERAL_CATALOGUE]
+    return table(["route", "serves", "error from"], rows, label="tab-general-routes", caption="Routes without an axis. "
+                 f"A plan takes the first of {' and '.join(f'`{name}`' for name in GENERAL_AUTO)} that serves.")
 
 
 def scenes(friction: float) -> Markup:
