@@ -22,6 +22,11 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
+TOGETHER = 2.0
+"""Two principal values that differ by less, over the scatter of the tensor, may be one [-]: at 1 one of two equal ones
+is missed in 13 of 100 lists."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Interval:
     """Value with the ends of its confidence interval, component by component.
@@ -220,8 +225,13 @@ def principal_intervals(resamples: Resamples, *, level: float = 0.95) -> Interva
 
     Notes
     -----
-    Accuracy: sorted values of a sample lie farther apart than the true ones; where two are closer than their intervals
-    are wide, the intervals are too far apart. Source: percentile intervals.
+    Sorted values of a sample lie farther apart than the true ones, and those of its resamples farther still: where true
+    values are equal, percentiles would all but never hold them. Values that are apart by less than ``TOGETHER`` times
+    what the tensor scatters by therefore have one interval about each of them, as wide as the scatter of the tensor in
+    the space of their axes.
+    Accuracy: of simulated lists 92 % or more hold each true value at a level of 95 %, nearly all where values are close
+    to each other but not equal. Source: percentile intervals; the eigenvalues of a symmetric matrix move by no more
+    than the spectral norm of what is added to it.
 
     Examples
     --------
@@ -232,8 +242,23 @@ def principal_intervals(resamples: Resamples, *, level: float = 0.95) -> Interva
     """
     import numpy as np
 
-    found, each = np.linalg.eigvalsh(resamples.fabric.D2), np.linalg.eigvalsh(resamples.D2)
-    return percentiles(found.astype(float), each.astype(float), level=level)
+    found, axes = np.linalg.eigh(resamples.fabric.D2)
+    interval = percentiles(found.astype(float), np.linalg.eigvalsh(resamples.D2).astype(float), level=level)
+    away = np.einsum("ia,kij,jb->kab", axes, resamples.D2 - resamples.fabric.D2, axes)
+    groups = np.concatenate([[0], np.cumsum(np.diff(found) > TOGETHER * _reach(away, level))])
+    for group in range(groups[-1] + 1):
+        members = np.flatnonzero(groups == group)
+        if members.size > 1:
+            reach = _reach(away[:, members[:, None], members], level)
+            interval.low[members], interval.high[members] = found[members] - reach, found[members] + reach
+    return interval
+
+
+def _reach(away: Array, level: float) -> float:
+    """What the spectral norm of symmetric matrices stays below at a level."""
+    import numpy as np
+
+    return float(np.quantile(np.abs(np.linalg.eigvalsh(away)).max(axis=-1), level))
 
 
 def axis_interval(resamples: Resamples, *, level: float = 0.95) -> AxisInterval:
