@@ -103,7 +103,7 @@ def _on(client: Any, left: dict[int, Callable[[], Task]]) -> Iterator[tuple[int,
     from dask.distributed import CancelledError, KilledWorker, as_completed
     from distributed.comm.core import CommClosedError
 
-    running, under_way = as_completed(), dict[Any, int]()
+    running, under_way = as_completed(loop=client.loop), dict[Any, int]()
 
     def give_out() -> None:
         ahead = AHEAD * max(1, sum(client.nthreads().values()))
@@ -169,7 +169,7 @@ def _local(processes: int) -> Iterator[Any]:
                 cluster = stack.enter_context(LocalCluster(
                     n_workers=processes, threads_per_worker=1, processes=True, host="127.0.0.1",
                     dashboard_address="127.0.0.1:0", memory_limit=None, silence_logs=logging.CRITICAL))
-                client = stack.enter_context(Client(cluster))
+                client = stack.enter_context(Client(cluster, set_as_default=False))
             except (OSError, RuntimeError, TimeoutError) as error:
                 raise WorkersUnusable(
                     f"{processes} processes could not be started ({' '.join(str(error).split())[:200]})",
@@ -210,7 +210,7 @@ def reached(address: str | None) -> Iterator[Any]:
         stack.enter_context(_quiet())
         try:
             _knock(address)
-            client = stack.enter_context(Client(address, timeout=PATIENCE))
+            client = stack.enter_context(Client(address, timeout=PATIENCE, set_as_default=False))
         except (OSError, TimeoutError, ValueError, RuntimeError) as error:
             reason = (error.strerror if isinstance(error, OSError) else None) or " ".join(str(error).split())
             raise _unreachable(address, reason[:120].lower()) from None
