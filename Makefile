@@ -26,14 +26,16 @@ derive: $(READY) ## regenerate every emitted file from its derivation
 	@$(BIN)/derivations write
 
 check: $(READY) ## emitted files against the derivations; numbers against every other voice
-	@$(BIN)/derivations check
-	@$(BIN)/granular check
+	@$(BIN)/derivations check & derived=$$!; $(BIN)/granular check; compared=$$?; wait $$derived && exit $$compared
 
 book: check html ## set up, derive, check and build the book
 
+# Pages that were read without a warning are not read again; after a build that failed all are, so that it says so again.
 html:
-	@rm -rf book/_build/html book/_build/.doctrees
+	@test -e book/_build/.without_warnings || rm -rf book/_build/.doctrees
+	@rm -rf book/_build/html book/_build/.without_warnings
 	@$(BIN)/jupyter-book build book -n -W --keep-going -q
+	@touch book/_build/.without_warnings
 	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
 	@echo "The book is built. Open book/_build/html/index.html in a browser"
 
@@ -43,7 +45,7 @@ lint: $(READY) ## style and strict types
 
 test: lint ## set up, lint, type-check, test
 	@$(BIN)/derivations check
-	@$(BIN)/python -m pytest -n 2 --dist loadfile
+	@$(BIN)/python -m pytest -n logical --dist loadfile
 
 bench: $(READY) ## what accuracy costs in time, as ratios measured side by side
 	@$(BIN)/python -m pytest tests/benchmarks -m benchmark -s -q

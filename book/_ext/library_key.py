@@ -20,9 +20,8 @@ if TYPE_CHECKING:
     from sphinx.config import Config
 
 WATCHED = (
-    "granular/**/*.py",
-    "granular/**/*.json",
-    "derivations/**/*.py",
+    "granular/**/*",
+    "derivations/**/*",
     "book/_data/**/*",
     "book/_ext/**/*.py",
     "book/_formulas/*.md",
@@ -34,7 +33,7 @@ def library_digest(root: Path) -> str:
     """Digest of the interpreter's version and of all watched files below ``root``, names and contents."""
     digest = hashlib.sha256(sys.version.encode())
     for pattern in WATCHED:
-        for path in sorted(path for path in root.glob(pattern) if path.is_file()):
+        for path in sorted(path for path in root.glob(pattern) if path.is_file() and "__pycache__" not in path.parts):
             digest.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
     return digest.hexdigest()[:16]
 

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 from library_key import forget_old_caches, library_digest, use_library
 
-FILES = ("granular/a.py", "granular/data/b.json", "derivations/c.py", "book/_data/d.csv", "constraints.txt")
+FILES = ("granular/a.py", "granular/data/b.json", "granular/data/contacts/e.csv.gz", "granular/data/scenes/f.toml",
+         "derivations/c.py", "book/_data/d.csv", "constraints.txt")
 
 
 @pytest.fixture
@@ -28,6 +29,15 @@ def test_key_follows_every_watched_file(checkout: Path, name: str) -> None:
     before = library_digest(checkout)
     (checkout / name).write_text("two", encoding="utf-8")
     assert library_digest(checkout) != before
+
+
+def test_key_does_not_follow_compiled_files(checkout: Path) -> None:
+    """Breaks when running the library once makes all pages be computed again."""
+    before = library_digest(checkout)
+    compiled = checkout / "granular" / "__pycache__" / "a.pyc"
+    compiled.parent.mkdir()
+    compiled.write_text("compiled", encoding="utf-8")
+    assert library_digest(checkout) == before
 
 
 def test_key_does_not_depend_on_the_folder(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
