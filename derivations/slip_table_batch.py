@@ -18,6 +18,8 @@ LOST = sp.symbols("lost0:6", nonnegative=True)
 LOST_SUMS = sp.symbols("taken0:3", nonnegative=True)
 KEPT_SUMS = sp.symbols("kept0:3", nonnegative=True)
 
+sums_factor = sp.Symbol("sums_factor", positive=True)
+contrast = sp.Symbol("contrast", real=True)
 shear0, shear1, both, scale = sp.symbols("shear0 shear1 both scale", nonnegative=True)
 
 
@@ -27,7 +29,8 @@ def state_function() -> Function:
     before = kinetic.assignments[:-len(batch_constant.component_assignments())]
     return Function(
         "slip_state", "The sums of the normal stiffness, their factor, and the cubic contrast of the forces.",
-        kinetic.arguments, before, (*SUMS, factor, v), unit="-", series=kinetic.series, notes=kinetic.notes)
+        kinetic.arguments, (*before, (sums_factor, factor), (contrast, v)), (*SUMS, sums_factor, contrast), unit="-",
+        series=kinetic.series, notes=kinetic.notes)
 
 
 def component_function() -> Function:
@@ -39,8 +42,8 @@ def component_function() -> Function:
     return Function(
         "slip_components", "Six components over (M/V) l_e^2 k_n,ref with partial slip.",
         (D33, Dr33, nu, *r, factor, *LOST),
-        (*batch_constant.weight_assignments(), (complement, 2 - nu), (share, 2 - 2 * nu), (scale, sp.Integer(DENOMINATOR)),
-         *sums,
+        (*batch_constant.weight_assignments(), (complement, 2 - nu), (share, 2 - 2 * nu),
+         (scale, sp.Integer(DENOMINATOR)), *sums,
          *((left, whole - lost) for left, whole, lost in zip(kept, r, taken, strict=True)),
          (shear0, nu * r[0] + share * taken[0]), (shear1, 4 * sp.Add(nu * r[1], share * taken[1])),
          (both, kept[0] + kept[1]),

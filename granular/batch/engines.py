@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
+from collections.abc import Callable
 from enum import StrEnum
 from importlib import import_module
+from pathlib import Path
+from types import FunctionType
 
 from granular.batch.kernel import BlockFunction, Kernel
 from granular.errors import UnknownChoice
@@ -121,11 +125,28 @@ def _compile(loop: BlockFunction, count: int, kernel: Kernel) -> BlockFunction:
     import numba
     from numba import types
 
+    helpers = kernel.helpers()
+    for helper in helpers:
+        numba.extending.register_jitable(helper)
+    named = _named_after(helpers, loop) if helpers else loop
     read = [types.Array(types.float64, 1, "C", readonly=True)] * len(kernel.inputs)
     tables = [types.Array(types.float64, table.ndim, "C", readonly=True) for table in kernel.tables]
     signature = types.int64(*read, *tables, types.Array(types.float64, 1, "C"))
     try:
-        made: BlockFunction = numba.njit(signature, cache=True, nogil=True, error_model="numpy")(loop)
+        made: BlockFunction = numba.njit(signature, cache=True, nogil=True, error_model="numpy")(named)
     except RuntimeError:  # there is no place to keep what was compiled
-        made = numba.njit(signature, nogil=True, error_model="numpy")(loop)
+        made = numba.njit(signature, nogil=True, error_model="numpy")(named)
     return made
+
+
+def _named_after(helpers: tuple[Callable[..., object], ...], loop: BlockFunction) -> BlockFunction:
+    """A copy of a loop whose name tells the sources of its helpers.
+
+    What numba keeps on disk it finds by the name of a function and the date of its own file: without this a helper
+    that changes in another file would go unnoticed.
+    """
+    files = sorted({helper.__code__.co_filename for helper in helpers if isinstance(helper, FunctionType)})
+    digest = hashlib.sha256(b"".join(Path(file).read_bytes() for file in files)).hexdigest()[:16]
+    copy = FunctionType(loop.__code__, loop.__globals__, f"{loop.__name__}_{digest}")
+    copy.__qualname__ = copy.__name__
+    return copy

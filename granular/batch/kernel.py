@@ -32,6 +32,8 @@ class Kernel:
         Loads the block function as a loop that numba can compile; it runs uncompiled too.
     tables : tuple of array
         Contiguous float64 arrays that every call takes after the inputs [-].
+    helpers : callable
+        Loads the functions that the loop calls and that a compiler has to know.
     """
 
     name: str
@@ -40,3 +42,4 @@ class Kernel:
     array: Callable[[], BlockFunction]
     loop: Callable[[], BlockFunction]
     tables: tuple[NDArray[np.float64], ...] = ()
+    helpers: Callable[[], tuple[Callable[..., object], ...]] = tuple

@@ -95,7 +95,7 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
     nu : (n,) array [-]
         Poisson's ratio of the grain material.
     out : (5 n,) array [-]
-        sum0, sum1, sum2, factor, v of each element in turn, NaN for those that are not served.
+        sum0, sum1, sum2, sums_factor, contrast of each element in turn, NaN for those that are not served.
 
     Returns
     -------
@@ -137,7 +137,7 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         reciprocal = 1/(roots*scaled)
         served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
         factor = np.where(served, reciprocal*roots*roots/2, np.nan)
-        rows[:, 4] = reciprocal*scaled*(-root_a + root_c)
+        v = reciprocal*scaled*(-root_a + root_c)
         f0, f1, f2, f3, f4, f5 = polynomials(CUBIC, v)
         e0 = 2 - D33
         e1 = 2*D33 + 2
@@ -152,4 +152,6 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         rows[:, 0] = f0*omega0 + f1*omega1 + f2*omega2 + f3*omega3
         rows[:, 1] = f1*omega0 + f2*omega1 + f3*omega2 + f4*omega3
         rows[:, 2] = f2*omega0 + f3*omega1 + f4*omega2 + f5*omega3
+        rows[:, 3] = factor
+        rows[:, 4] = v
     return int(served.size - np.count_nonzero(served))

@@ -32,7 +32,7 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
     all_nu : (n,) array [-]
         Poisson's ratio of the grain material.
     out : (5 n,) array [-]
-        sum0, sum1, sum2, factor, v of each element in turn, NaN for those that are not served.
+        sum0, sum1, sum2, sums_factor, contrast of each element in turn, NaN for those that are not served.
 
     Returns
     -------
@@ -41,13 +41,13 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
 
     Operations: 348.
     """
+    third = 1/3
     unserved = 0
     for i in range(all_D33.size):
         D33 = all_D33[i]
         Dr33 = all_Dr33[i]
         SR = all_SR[i]
         nu = all_nu[i]
-        third = 1/3
         equator_part = 2*D33 + 5
         pole_part = SR*(5 - D33)
         forces = 15/(equator_part*(5 - D33)*(SR + 2))
@@ -231,10 +231,12 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
         sum0 = f0*omega0 + f1*omega1 + f2*omega2 + f3*omega3
         sum1 = f1*omega0 + f2*omega1 + f3*omega2 + f4*omega3
         sum2 = f2*omega0 + f3*omega1 + f4*omega2 + f5*omega3
+        sums_factor = factor
+        contrast = v
         place = 5*i
         out[place + 0] = sum0
         out[place + 1] = sum1
         out[place + 2] = sum2
-        out[place + 3] = factor
-        out[place + 4] = v
+        out[place + 3] = sums_factor
+        out[place + 4] = contrast
     return unserved

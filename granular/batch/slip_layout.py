@@ -1,0 +1,121 @@
+"""How tables of partial slip are laid out, and how the panel of an element is found.
+
+Panels of the margin to sliding are halves or quarters of octaves, so that a panel is read off the leading bits of a
+number and is as narrow as the onset of sliding is near. About the onset there is one panel on either side.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+    Index = NDArray[np.int64]
+
+INTEGRALS = 6
+"""Integrals of s^(5-k) x^(2k), k = 0 ... 5: all that a density of rank two asks for."""
+
+KNOWN = 5
+"""Numbers that ``slip_state`` gives for each element: three sums, their factor, and the contrast."""
+
+ZONE = 1 / 16
+"""Margin to sliding up to which the part that is not smooth at the onset is taken out of a table.
+
+Farther before the onset it would be many times as large as what it is taken from."""
+
+ZONE_BITS = 1023 - 4
+"""Exponent of ``ZONE`` as it stands in a double."""
+
+DELICATE = 1 / 128
+"""Contrast below which plain arithmetic would lose digits of kappa."""
+
+BETWEEN_ROOTS = math.sqrt(math.pi) * math.gamma(4 / 3) / math.gamma(11 / 6)
+"""B(1/2, 4/3)."""
+
+STRENGTHS = np.array([math.sqrt(3) * BETWEEN_ROOTS, -2 * BETWEEN_ROOTS])
+"""Strength of what is not smooth before and after the onset of sliding."""
+
+CONTRASTS = (-0.351, 0.291)
+"""Contrasts of the cube roots of the forces that tables serve: those of the kinetic kernel, 1/9 <= c/a <= 6."""
+
+COLUMNS = 8
+"""Panels of the contrast where friction varies."""
+
+COLUMN_WIDTH = (CONTRASTS[1] - CONTRASTS[0]) / COLUMNS
+
+BEFORE = 4
+"""Octaves from the zone up to where there is no shear force."""
+
+OCTAVES = 10
+"""Octaves of the margin where friction varies: up to kappa = 65, where friction is below 0.02 at the end of the
+domain."""
+
+TERMS = 14
+"""Coefficients of a polynomial for one friction, in quarters of octaves: less than 2^-53 of the value is left out."""
+
+ROWS = (14, 14, 14, 12, 12, 12, 9, 9, 9, 6, 6, 6)
+"""Powers of the margin that go with each power of the contrast, in halves of octaves: some 1e-13 is left out."""
+
+HALVES, QUARTERS = 51, 50
+"""Bits of a double behind those that tell halves and quarters of octaves apart."""
+
+ALIGNED = 16
+"""Elements of a panel start at multiples of this, so that vector code has no remainder."""
+
+
+def margin_panels(margin: Array, bits: int, side: int, panel: Index) -> None:
+    """Fill the panel of each margin: those before the onset first, then those after it.
+
+    Parameters
+    ----------
+    margin : (n,) array
+        1 - kappa [-].
+    bits : int
+        ``HALVES`` or ``QUARTERS`` [-].
+    side : int
+        Panels on each side of the onset [-].
+    panel : (n,) array of int
+        To be filled [-].
+
+    Notes
+    -----
+    Source: the layout of a double.
+    """
+    leading, zone = np.abs(margin).view(np.int64), (ZONE_BITS << (52 - bits)) - 1
+    for i in range(margin.size):
+        found = min(max((leading[i] >> bits) - zone, 0), side - 1)
+        panel[i] = found if margin[i] >= 0.0 else found + side
+
+
+def intervals(octaves: int, parts: int) -> list[tuple[float, float]]:
+    """Panels of abs(margin) on one side: the zone, parts of octaves, and a last one that is never reached.
+
+    Parameters
+    ----------
+    octaves, parts : int
+        Number of octaves from the zone on, and of panels in each [-].
+
+    Returns
+    -------
+    list of tuple of 2 float
+        Lower and upper end of each [-].
+
+    Notes
+    -----
+    Source: the layout of a double.
+
+    Examples
+    --------
+    >>> intervals(1, 2)
+    [(0.0, 0.0625), (0.0625, 0.09375), (0.09375, 0.125), (0.125, inf)]
+    """
+    found = [(0.0, ZONE)]
+    for octave in range(octaves):
+        start = ZONE * 2**octave
+        found += [(start * (1 + part / parts), start * (1 + (part + 1) / parts)) for part in range(parts)]
+    return [*found, (ZONE * 2**octaves, math.inf)]
