@@ -13,13 +13,15 @@ READY := $(VENV)/.ready
 help: ## show this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*## /\t/' | expand -t 10
 
+# Compiled on all cores and without the packages' own tests; a package may hold a file that is no Python, as templates are.
 $(READY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; v = sys.version_info[:2]; sys.exit(None if (3, 11) <= v <= (3, 13) else "Python 3.11 to 3.13 is needed, this is %d.%d; name one with make PYTHON=..." % v)'
 	@echo "Setting up $(VENV) (once, about a minute)"
 	@$(PYTHON) -m venv --clear $(VENV)
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt setuptools
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-build-isolation --config-settings editable_mode=compat \
-		-c constraints.txt -e '.[book,test]'
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile -c constraints.txt setuptools
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --no-build-isolation \
+		--config-settings editable_mode=compat -c constraints.txt -e '.[book,test]'
+	@$(BIN)/python -W ignore -m compileall -qq -j 0 -x '/(tests|pip)/' $(VENV)/lib || true
 	@touch $@
 
 derive: $(READY) ## regenerate every emitted file from its derivation
