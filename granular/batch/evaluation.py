@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
     Index = NDArray[np.intp]
 
-BLOCK = {Engine.NUMPY: 4096, Engine.COMPILED: 1 << 16}
+BLOCK = {Engine.NUMPY: 4096, Engine.COMPILED: 1 << 15}
 """Elements at a time: as many as stay in cache with what is computed from them, or with their arguments alone."""
 
 SHARE = 1 << 18
