@@ -10,10 +10,11 @@ from granular.axial_scene import AXIS_3, Axis
 from granular.contact_law import reference_stiffness
 from granular.effects.bound import Simulated
 from granular.elasticity import Stiffness
+from granular.error_budget import COARSE, COARSE_SHARE, with_left_out
 from granular.errors import AxisNeeded, ResultOutOfRange
 from granular.hypothesis import Hypothesis
 from granular.number_of_contacts import PER_CUBIC_METRE, PER_DIAMETER_CUBED, contacts_per_volume
-from granular.planning import COARSE, COARSE_SHARE, Plan, plan, with_left_out
+from granular.planning import Plan, plan
 from granular.routes.catalogue import ROUTES
 from granular.routes.result import COMPONENTS, Six
 

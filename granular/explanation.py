@@ -154,7 +154,7 @@ def error_budget(route: float, scaling: float, left_out: float) -> str:
 
     Notes
     -----
-    Source: ``granular.planning``.
+    Source: ``granular.error_budget``.
 
     Examples
     --------

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
-from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from granular.anisotropy import BranchAnisotropy, ContactNormals
 from granular.axial_scene import AXIS_3, AxialScene, Axis
-from granular.errors import AxisNeeded, ConflictingKeys, MissingKey, ValueOutOfRange, found_at
+from granular.errors import AxisNeeded, ConflictingKeys, ValueOutOfRange
 from granular.fabric import FLATTEST, AxialFabric
 from granular.fields import Number, Text, Word, WordsOrAuto
-from granular.gradation import SIZE, SPREAD, Lognormal, SizeDistribution, read_curve
 from granular.hypothesis import Hypothesis
 from granular.number_of_contacts import DEFAULT_RELATION, CoordinationRelation
+from granular.scene_gradation import Gradation
 from granular.stress import Stress
 from granular.table import Table
 from granular.tensors import ZERO, Tensor, Tensor4
@@ -128,58 +128,6 @@ class Branches(Table):
         default=None, description="how the branch length changes with direction; isotropic by default")
     length_ratio: Annotated[float, Number(above=0.0)] = Field(
         default=1.0, description="equivalent branch length l_e over twice the equal-volume radius")
-
-
-class Gradation(Table):
-    """Grain sizes by volume; sizes are diameters, as sieves measure them."""
-
-    distribution: Annotated[str, Word(words=("lognormal", "curve"))] = Field(
-        description='"lognormal" with median and spread, or "curve" with file')
-    median: Annotated[float | None, replace(SIZE, optional=True)] = Field(
-        default=None, description="median grain size by volume; with form paper the symbol printed in eq. (18), "
-                                  "which is the most frequent size")
-    spread: Annotated[float | None, replace(SPREAD, optional=True)] = Field(
-        default=None, description="geometric standard deviation s_r")
-    form: Annotated[str | None, Word(words=("paper", "classical"), optional=True)] = Field(
-        default=None, description="density of a lognormal distribution: eq. (18) as printed, without 1/size (paper, "
-                                  "the default), or with it (classical)")
-    file: Annotated[str | None, Text(optional=True)] = Field(
-        default=None, description="table of size and fraction finer; relative to the folder of the scene file")
-
-    _curve: SizeDistribution | None = PrivateAttr(default=None)
-
-    @model_validator(mode="after")
-    def _complete(self) -> Self:
-        needed = {"lognormal": ("median", "spread"), "curve": ("file",)}[self.distribution]
-        possible = {"lognormal": ("median", "spread", "form"), "curve": ("file",)}[self.distribution]
-        for key in ("median", "spread", "form", "file"):
-            given = getattr(self, key) is not None
-            if given and key not in possible:
-                raise ConflictingKeys(f'{key} is given with distribution = "{self.distribution}"',
-                                      allowed=f"allowed {' and '.join(possible)} there",
-                                      remedy=f"Delete {key}.")
-            if not given and key in needed:
-                raise MissingKey(f"{key} is not given",
-                                 allowed=f'distribution = "{self.distribution}" needs it',
-                                 remedy=f"Add {key}.")
-        if self.file is not None:
-            self._curve = _curve_from(self.file)
-        return self
-
-    @property
-    def sizes(self) -> SizeDistribution:
-        """Grain sizes: densities by volume and by number, fraction finer, characteristic sizes."""
-        if self._curve is not None:
-            return self._curve
-        assert self.median is not None  # _complete has seen to both
-        assert self.spread is not None
-        return Lognormal(self.median, self.spread, form=self.form or "paper")
-
-
-def _curve_from(file: str) -> SizeDistribution:
-    """Read the curve; what is wrong with it is told under the key that names the file."""
-    with found_at("file = "):
-        return read_curve(file)
 
 
 class Shape(Table):

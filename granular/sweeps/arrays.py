@@ -6,8 +6,8 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
+from granular.error_budget import SCALING_ERROR
 from granular.errors import BadOption, GranularError, ResultOutOfRange
-from granular.planning import SCALING_ERROR
 from granular.ratios import PAIRS
 from granular.routes.result import COMPONENTS
 from granular.scene import Scene

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 import granular
 from granular import errors
-from granular.planning import COARSE, SCALING_ERROR, plan, remaining, route_accuracy, with_left_out
+from granular.error_budget import COARSE, SCALING_ERROR, remaining, route_accuracy, with_left_out
+from granular.planning import plan
 from granular.routes.catalogue import AUTO, MOST_ACCURATE, ROUTES
 from granular.scene import Scene
 
