@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from granular.contacts.by_angle import ByAngle
     from granular.contacts.summary import ContactSummary
     from granular.elasticity import Stiffness
+    from granular.fabric_tensors import SymmetryTest
 
 SHOWN = ("C1111", "C2222", "C3333", "C1122", "C1133", "C2233", "C2323", "C1313", "C1212")
 """Components that an assembly with three planes of symmetry has; the others are small, and in the JSON output."""
@@ -81,9 +82,9 @@ def _fabric(summary: ContactSummary) -> dict[str, str | list[str]]:
 
     lengths, moments = summary.lengths, summary.length_moments
     told: dict[str, str | list[str]] = {
-            "normals": tensor(summary.normals, NORMALS),
-            "seen in them": "\n".join(test.words.replace("the given axis", "axis 3") for test in summary.tests),
-            "branches": tensor(summary.branches, BRANCHES)}
+        "normals": tensor(summary.normals, NORMALS),
+        "seen in them": "\n".join(_words(test) for test in summary.tests),
+        "branches": tensor(summary.branches, BRANCHES)}
     try:
         told["lengths"] = f"Dr33 {fitted_fabric(summary).Dr33:+.5f} by direction"
     except FabricOutOfRange as refusal:
@@ -102,6 +103,11 @@ def _fabric(summary: ContactSummary) -> dict[str, str | list[str]]:
     return told
 
 
+def _words(test: SymmetryTest) -> str:
+    """With the level in one piece, where no line ends."""
+    return test.words.replace("the given axis", "axis 3").replace("p = ", "p=").replace("p < ", "p<")
+
+
 def _angles(summary: ContactSummary) -> RenderableType:
     """Classes of ten degrees, with the forces that the stress alone would give."""
     wide: ByAngle = summary.by_angle.merged(_WIDE)
@@ -115,7 +121,7 @@ def _angles(summary: ContactSummary) -> RenderableType:
         groups.append(2)
         if summary.stress_is_whole:
             shown += [("|fs|", "[N]", wide.mean("shear_force"), ".3g"),
-                      ("fs up", "[N]", wide.mean("meridian_force"), ".3g"), ("eq.", "(23)", estimate[1], ".3g")]
+                      ("fs up", "[N]", wide.mean("meridian_force"), ".2g"), ("eq.", "(23)", estimate[1], ".2g")]
             groups.append(3)
     if (stiff := wide.mean("kn")) is not None:
         shown += [("kn", "[kN/m]", _over(stiff, 1e3), ".4g")]

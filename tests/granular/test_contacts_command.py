@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import subprocess
 import sys
@@ -322,6 +323,17 @@ def test_a_wrong_sum_fails_the_comparison(command, tmp_path):
     meta.unlink()
     with pytest.raises(FileUnreadable):
         compare_folder(tmp_path)
+
+
+def test_a_packing_to_be_compared_may_be_plain_text(tmp_path):
+    # Breaks when only compressed lists are found, or a record does not say where its packing is from.
+    (tmp_path / "x_contacts.csv").write_bytes(gzip.decompress(EXAMPLE.read_bytes()))
+    (tmp_path / "x_meta.json").write_text((example_folder() / "C_A1_SR15_meta.json").read_text("utf-8"), "utf-8")
+    (packing,) = compare_folder(tmp_path)
+    assert (packing.name, packing.agrees) == ("x", True)
+    assert packing.made_by.startswith("YADE")
+    # equal spheres of radius 1 mm that overlap by about 1e-4 of it
+    assert packing.length_ratio == pytest.approx(1, abs=1e-3)
 
 
 @pytest.mark.skipif(not DEM.is_dir(), reason="the packings are not part of the repository")
