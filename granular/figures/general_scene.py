@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from granular.figures.hemisphere import Mark, principal
+from granular.figures.hemisphere import EQUAL, Mark, extreme_marks, principal
 from granular.figures.look import BLUE, INK, SOFT_INK, VERMILION
 from granular.figures.over_sphere import Map, Picture, Quantity
 from granular.figures.stiffness import unit_of
@@ -170,19 +170,18 @@ def extremes(values: Values) -> tuple[Mark, ...]:
     Returns
     -------
     tuple of Mark
-        Two, or none where the function is the same everywhere.
+        None where the function is the same everywhere.
 
     Notes
     -----
     Source: ``granular.general.extremes``.
     """
-    from granular.figures.hemisphere import EQUAL
     from granular.general.extremes import greatest
 
     high, low = greatest(values), greatest(lambda n: -values(n))
     if high.value + low.value <= EQUAL * abs(high.value):
         return ()
-    return Mark(high.direction, "greatest"), Mark(low.direction, "least")
+    return *extreme_marks(high, "greatest"), *extreme_marks(low, "least")
 
 
 def _forces(fabric: GeneralFabric, loading: GeneralLoading) -> tuple[Values, Values]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from granular.figures.hemisphere import Mark, projected
+from granular.figures.hemisphere import extreme_marks, projected
 from granular.figures.look import BLUE, GREEN, INK, VERMILION, WIDTH, blank, house_style
 from granular.figures.over_sphere import MAPS, PLANES, Map, Picture, Quantity, draw_maps, name_curves
 
@@ -57,8 +57,8 @@ def waves_picture(waves: GeneralWaves) -> Picture:
     """
     fast, slow, split = waves.fastest_qP, waves.slowest_qP, waves.largest_splitting
     anisotropic = fast.value - slow.value > SPLIT * fast.value
-    of_speed = (Mark(fast.direction, "greatest"), Mark(slow.direction, "least")) if anisotropic else ()
-    of_splitting = (Mark(split.direction, "greatest"),) if split.value > SPLIT else ()
+    of_speed = (*extreme_marks(fast, "greatest"), *extreme_marks(slow, "least")) if anisotropic else ()
+    of_splitting = extreme_marks(split, "greatest") if split.value > SPLIT else ()
     qP, qS1, qS2 = (Quantity(f"phase speed of {name}", name, name, "m/s", partial(_speed, waves, place), colour, line)
                     for name, place, colour, line in WAVES)
     splitting = Quantity("splitting of shear waves", "$2\\,$(qS1 $-$ qS2)$\\,/\\,$(qS1 $+$ qS2)", "splitting", "%",

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from matplotlib.contour import QuadContourSet
     from numpy.typing import NDArray
 
+    from granular.general.extremes import Extreme
+
     Array = NDArray[np.float64]
     Values = Callable[[Array], Array]
 
@@ -83,6 +85,31 @@ def principal(tensor: Sequence[Sequence[float]] | Array) -> tuple[Mark, ...]:
     ranks: tuple[Rank, Rank, Rank] = ("least", "middle", "greatest")
     return tuple(Mark(signed(vectors[:, place]), rank)
                  for place, rank in reversed(list(enumerate(ranks))) if unique[place])
+
+
+def extreme_marks(extreme: Extreme, rank: Rank) -> tuple[Mark, ...]:
+    """Mark where an extreme value is taken, its images by symmetry too.
+
+    Parameters
+    ----------
+    extreme : Extreme
+        What was found.
+    rank : str
+        "greatest" or "least".
+
+    Returns
+    -------
+    tuple of Mark
+        None where the value is taken all along a ring, which the colours show.
+
+    Notes
+    -----
+    Source: ``granular.general.extremes``.
+    """
+    from granular.general.extremes import MANY
+
+    directions = () if len(extreme.ties) >= MANY else (extreme.direction, *extreme.ties)
+    return tuple(Mark(direction, rank) for direction in directions)
 
 
 def projected(directions: Array) -> tuple[Array, Array]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from granular.elastic_tensor import ElasticTensor
@@ -114,8 +114,7 @@ def general_engineering(stiffness: Stiffness) -> GeneralEngineering:
         G23=size / (2 * s[3][3]), G13=size / (2 * s[4][4]), G12=size / (2 * s[5][5]),
         K=bulk * size, K_voigt=bulk_voigt * size, G=shear * size, G_voigt=shear_voigt * size,
         universal_anisotropy=max(5 * (shear_voigt - shear) / shear + (bulk_voigt - bulk) / bulk, 0.0),
-        stiffest=Extreme(stiffest.value * size, stiffest.direction),
-        softest=Extreme(size / softest.value, softest.direction))
+        stiffest=replace(stiffest, value=stiffest.value * size), softest=replace(softest, value=size / softest.value))
 
 
 def along(tensor: ElasticTensor, directions: Array) -> Array:

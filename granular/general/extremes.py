@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -26,6 +26,9 @@ BETWEEN_STARTS = 0.97
 FIRST_STEP, LAST_STEP = 0.05, 1e-13
 """Half the side of the patch that is searched around each start, at first and at last [rad]."""
 
+RISE = 1e-3
+"""A rise by a smaller part of the differences within a patch is none [-]: search would stray along a level ridge."""
+
 LEVEL = 1e-14
 """A patch whose heights differ by less than this, relatively, is the top of a round hill [-]."""
 
@@ -33,7 +36,13 @@ STEPS = 120
 """At most as many patches for each start [-]: each shrinks to half unless the best point lies on its edge."""
 
 TIED = 1e-13
-"""A coordinate axis is named in place of another direction that exceeds it by less than this, relatively [-]."""
+"""Heights that differ by less than this, relatively, tie; a coordinate axis goes before other directions then [-]."""
+
+MANY = 6
+"""So many ties or more are a ring, or the whole sphere [-]: isolated extremes of a form of degree four are fewer."""
+
+SAME = 1 - 1e-8
+"""Cosine above which two directions are the same top [-]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,10 +56,13 @@ class Extreme:
     direction : tuple of 3 float
         Where it is taken [-], a unit vector whose largest component is positive; a coordinate axis where one of them
         ties with it.
+    ties : tuple of Direction
+        Other directions found with the same value [-]: its images by symmetry, or ``MANY`` or more of a ring.
     """
 
     value: float
     direction: Direction
+    ties: tuple[Direction, ...] = field(default=(), repr=False)
 
 
 def greatest(height: Callable[[Array], Array]) -> Extreme:
@@ -92,7 +104,11 @@ def greatest(height: Callable[[Array], Array]) -> Extreme:
         if values[axis] >= top - TIED * abs(top):
             top, where = float(values[axis]), n[:, axis]
             break
-    return Extreme(top, signed(where))
+    places = [where]
+    for place in climbed[:, tops >= top - TIED * abs(top)].T:
+        if all(abs(place @ other) < SAME for other in places):
+            places.append(place)
+    return Extreme(top, signed(where), tuple(signed(place) for place in places[1:]))
 
 
 def signed(vector: Array) -> Direction:
@@ -150,9 +166,10 @@ def _climbed(height: Callable[[Array], Array], starts: Array) -> tuple[Array, Ar
         tried /= np.linalg.norm(tried, axis=0)
         values = height(tried.reshape(3, -1)).reshape(n.shape[1], -1)
         best = values.argmax(axis=1)
+        rise, differences = values.max(axis=1) - values[:, 0], np.ptp(values, axis=1)
         n = tried[:, np.arange(n.shape[1]), best]
-        step = np.where(edge[best], step, step / 2)
-        level = np.ptp(values, axis=1) <= LEVEL * np.abs(values).max()
+        step = np.where(edge[best] & (rise > RISE * differences), step, step / 2)
+        level = differences <= LEVEL * np.abs(values).max()
         if bool(np.all(level | (step < LAST_STEP))):
             break
     return height(n), n

@@ -8,7 +8,7 @@ anisotropic solids; the polarisations say what it is.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from granular.elasticity import Stiffness
@@ -266,9 +266,9 @@ def general_waves(stiffness: Stiffness, *, density: float) -> GeneralWaves:
     slowest = greatest(lambda n: -speeds(n)[:, 2])
     splitting = greatest(split)
     return GeneralWaves(stiffness, density, *axis_speeds(stiffness, density=density),
-                        fastest_qP=Extreme(fastest.value * unit, fastest.direction),
-                        slowest_qP=Extreme(-slowest.value * unit, slowest.direction),
-                        largest_splitting=Extreme(max(splitting.value - 1, 0.0), splitting.direction))
+                        fastest_qP=replace(fastest, value=fastest.value * unit),
+                        slowest_qP=replace(slowest, value=-slowest.value * unit),
+                        largest_splitting=replace(splitting, value=max(splitting.value - 1, 0.0)))
 
 
 def christoffel(tensor: Array, directions: Array) -> Array:

@@ -184,6 +184,15 @@ def test_splitting_and_stiffness_in_their_units():
     assert young.values(np.eye(3)) == pytest.approx(1e-6 / along(SOLID.compliance(), np.eye(3)), rel=1e-14)
 
 
+def test_a_ring_of_extremes_is_not_marked_as_one_direction():
+    # the first of a ring that a search meets, shown as if it were the only one
+    axial = Stiffness.transversely_isotropic(9e8, 4e8, 3e8, 1e8, 1e8, 3e8).rotated(rotation(4))
+    assert [mark.rank for mark in stiffness_picture(axial).maps[1].marks] == []
+    upright = Stiffness.transversely_isotropic(4e8, 9e8, 1e8, 1e8, 1.5e8, 1.5e8)
+    (mark,) = stiffness_picture(upright).maps[1].marks
+    assert (mark.rank, mark.direction) == ("greatest", (0.0, 0.0, 1.0))
+
+
 def test_equal_speeds_mark_nothing():
     # a direction, or a polarisation, made of rounding
     picture = waves_picture(general_waves(ISOTROPIC, density=1600.0))

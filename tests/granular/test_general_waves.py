@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from granular.elasticity import Stiffness
 from granular.errors import DensityOutOfRange, DirectionNotValid, TensorNotPositive
 from granular.general import axis_speeds, general_waves, plane_waves
-from granular.general.extremes import greatest, signed
+from granular.general.extremes import MANY, greatest, signed
 from granular.general.fabric import spread_directions
 from granular.waves import phase_velocities
 
@@ -159,6 +159,17 @@ def test_ties_name_a_coordinate_axis():
     assert found.fastest_qP.value == 3.0
     assert greatest(lambda n: 0 * n[0]).direction == (1.0, 0.0, 0.0)
     assert signed(np.array([0.0, -1.0, 0.0])) == (0.0, 1.0, 0.0)
+
+
+def test_directions_that_tie():
+    # one of a ring, or one of two mirror images, told as the only one
+    assert general_waves(solid(1), density=1.0).fastest_qP.ties == ()
+    assert len(general_waves(SAND, density=1.0).fastest_qP.ties) >= MANY
+    for axes, count in ((np.eye(3), 3), (np.array([[1, 1, 1], [1, 1, -1], [1, -1, 1], [1, -1, -1]]) / 3**0.5, 4)):
+        top = greatest(lambda n, axes=axes: ((axes @ n) ** 4).sum(axis=0) if len(axes) == 3 else -(n**4).sum(axis=0))
+        assert len({top.direction, *top.ties}) == count
+        for place in (top.direction, *top.ties):
+            assert np.abs(axes @ place).max() == pytest.approx(1, abs=1e-12)
 
 
 @pytest.mark.parametrize("scale", [1e-280, 1e-100, 1e250])
