@@ -102,7 +102,7 @@ def wave_blocks(waves: GeneralWaves) -> list[RenderableType]:
                  for place, of in enumerate((waves.along_1, waves.along_2, waves.along_3), start=1)),
             lines("qP from " + _extreme(waves.slowest_qP, 1.0, "m/s"), "to " + _extreme(waves.fastest_qP, 1.0, "m/s"),
                   f"shear waves split by up to {100 * split.value:.3g} %"
-                  + (f", along {shown_direction(split.direction)}" if split.value > 0 else "")), ""]
+                  + (f", {_where(split)}" if split.value > 0 else "")), ""]
 
 
 def as_json(result: Evaluation) -> dict[str, Any]:
@@ -216,4 +216,8 @@ def _engineering(found: GeneralEngineering) -> RenderableType:
 
 
 def _extreme(of: Extreme, size: float, unit: str) -> str:
-    return f"{of.value / size:.5g} {unit} along {shown_direction(of.direction)}"
+    return f"{of.value / size:.5g} {unit} {_where(of)}"
+
+
+def _where(of: Extreme) -> str:
+    return f"along {shown_direction(of.direction)}{' and elsewhere' if of.ties else ''}"
