@@ -25,6 +25,10 @@ SHOWN = 3
 REACH = 1e-5
 """How far apart two spheres may be, over the sum of their radii [-]: a branch of six digits is no better."""
 
+EXTREME = 1e60
+"""No length, force or stiffness in SI units is larger, and no length or stiffness smaller than its inverse: what is has
+squares and fourth powers that no number holds."""
+
 PERIOD = "branches across a periodic boundary lack its period, which --cell LX LY LZ adds"
 """What makes a branch too long, or turns it round."""
 
@@ -139,8 +143,8 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64], place_o
     Raises
     ------
     ContactImpossible
-        A branch without length; a normal that is no unit vector or points against the branch; a tension; spheres that
-        do not reach each other; a radius, an overlap or a stiffness that cannot be.
+        A number beyond all measure; a branch without length; a normal that is no unit vector or points against the
+        branch; a tension; spheres that do not reach each other; a radius, an overlap or a stiffness that cannot be.
 
     Notes
     -----
@@ -155,11 +159,23 @@ def check(block: ContactBlock, *, file: str, numbers: NDArray[np.int64], place_o
             raise ContactImpossible(f"{file}: {_counted(int(bad.sum()))} with {what}, first {value(worst)} in "
                                     f"{place_of(int(numbers[worst]))}", allowed=f"allowed {allowed}", remedy=remedy)
 
+    if not block.size:
+        return
+    for name in block.__slots__:
+        values = getattr(block, name)
+        if values is not None and values.dtype.kind == "f":
+            largest = np.abs(values.reshape(-1, block.size)).max(axis=0, initial=0.0)
+            refuse(largest > EXTREME, f"a value beyond all measure ({name.replace('_', ' ')})",
+                   partial(_shown_at, largest), f"values up to {EXTREME:g}", "Check which column it is, and its unit.")
     length = np.sqrt(np.sum(block.branch**2, axis=0))
     unit = np.sqrt(np.sum(block.normal**2, axis=0))
     along = np.sum(block.branch * block.normal, axis=0)
     refuse(length == 0, "a branch of no length", lambda k: "l = 0", "l > 0",
            "Give the vector from grain centre to grain centre; a wall has none.")
+    for name, array in (("l", length), ("kn", block.kn)):
+        if array is not None:
+            refuse((array > 0) & (array < 1 / EXTREME), f"{name} that is next to nothing", partial(_shown_at, array),
+                   f"{name} >= {1 / EXTREME:g}", "Check which column it is, and its unit.")
     refuse(np.abs(unit - 1) > UNIT, "a normal that is no unit vector", lambda k: f"|n| = {unit[k]:.7g}",
            f"|n| = 1 within {UNIT:g}", "Check which columns are n1 n2 n3, and write them with at least six digits.")
     against = along <= 0

@@ -86,8 +86,8 @@ def _header(lines: Iterator[str]) -> tuple[int, str]:
         if text.startswith("#"):
             commented, last = text.lstrip("#").strip(), number
         elif text:
-            first = text.replace(";", " ").replace(",", " ").split()[0]
-            return (last, commented) if commented and _is_number(first) else (number, text)
+            first = text.replace(";", " ").replace(",", " ").split()[:1]
+            return (last, commented) if commented and first and _is_number(first[0]) else (number, text)
     return last, commented
 
 

@@ -141,6 +141,9 @@ def test_the_sound_rows_are_sound(tmp_path):
     ("4,5,0.0019,0,0,1,0,0,1e-3,1e-3,1,0,0,0,0,1e6", ["kn that is not positive"]),
     ("4,5,0.0019,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e6,-1", ["ks below zero"]),
     ("4,4,0.0019,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6", ["touches itself"]),
+    ("4,5,0.0019,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e200,1e6", ["beyond all measure (kn)", "1e+200 in line 4"]),
+    ("4,5,0.0019,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e-200,0", ["kn that is next to nothing"]),
+    ("4,5,1e-90,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6", ["l that is next to nothing"]),
     ("-4,5,0.0019,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6", ["number -4"]),
 ])
 def test_contacts_that_cannot_be(row, words, tmp_path):
@@ -233,6 +236,13 @@ def test_what_is_no_number_to_other_programs_is_none_here(tmp_path):
     refused(written(tmp_path / "a.csv", "l1,l2,l3,n1,n2,n3", "1_0,0,0,1,0,0"), ContactFileUnusable, '"1_0"')
     refused(with_row(tmp_path, "4.5,5,0.0019,0,0,1,0,0,1e-3,1e-3,1,0,0,0,1e6,1e6"), ContactImpossible, "list.csv",
             "id1 id2 = 4.5 5", "whole")
+
+
+def test_rows_that_are_all_left_out_leave_no_contact(tmp_path):
+    # Breaks when a block without contacts cannot be checked, or commas alone are taken for a header that can be read.
+    path = written(tmp_path / "a.csv", HEADER, "nan" + ",1" * 15)
+    refused(path, ContactValuesMissing, "no contact (1 left out)", drop_bad=True)
+    refused(written(tmp_path / "b.csv", ",,,", "1,2,3,4"), ContactColumnsMissing, "no column l1 l2 l3")
 
 
 def test_missing_columns_name_those_found(tmp_path):
