@@ -208,15 +208,9 @@ def model_words() -> Markup:
 
 def size_words() -> Markup:
     """What gradation would add, of which these packings have none."""
-    spheres = [packing for packing in packings() if packing.collinear]
-    lengths = _ends([packing.length_ratio for packing in packings()], 1, ".3f")
-    away = max(abs(packing.stiffer_where_longer - 1) for packing in spheres)
-    return Markup(f"Branches are {lengths} times as long as the diameter of a sphere with the mean volume of the "
-                  "grains; this ratio is all that the model knows of sizes and of shape ([](gradation.md)). Between "
-                  "grains of many sizes, contacts of long branches are stiffer, too: $\\langle \\ell^2 k_n\\rangle$ is "
-                  "more than $\\langle \\ell^2\\rangle\\langle k_n\\rangle$, and a model with one $k_n$ for all "
-                  "lengths falls short by that factor. `granular contacts` tells it for every list; for these spheres "
-                  f"of one size it is 1 within {_at_most(100 * away, 3)} %.\n")
+    away = max(abs(packing.stiffer_where_longer - 1) for packing in packings() if packing.collinear)
+    return Markup(f"Here the ratio is {_ends([packing.length_ratio for packing in packings()], 1, '.3f')}, and for the "
+                  f"spheres, which are of one size, the factor is 1 within {_at_most(100 * away, 3)} %.\n")
 
 
 def clump_words() -> Markup:
