@@ -7,11 +7,13 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from granular.error_budget import SCALING_ERROR
-from granular.errors import BadOption, GranularError, ResultOutOfRange
+from granular.errors import BadOption, ComplianceInfinite, GranularError, ResultOutOfRange
+from granular.hypothesis import Hypothesis
 from granular.ratios import PAIRS
 from granular.routes.result import COMPONENTS
 from granular.scene import Scene
 from granular.sweeps.points import MISTAKES, Points, SceneBuilder, at_point
+from granular.table import Table
 from granular.units import shown
 
 if TYPE_CHECKING:
@@ -44,6 +46,7 @@ QUANTITIES: dict[str, tuple[str, Callable[[Any], object]]] = {
 """What enters: the table that it stands in, and how it is read there."""
 
 _NORMALISED = ("D33", "Dr33", "stress_ratio", "friction_coefficient", "poisson_ratio")
+_SLIDING = ("D33", "stress_ratio", "friction_coefficient")
 _REFERENCE = ("shear_modulus", "poisson_ratio", "mean_stress", "void_ratio", "coordination_number", "length_ratio")
 
 
@@ -133,19 +136,38 @@ def evaluate_arrays(points: Points, outputs: Sequence[str], *, keep_going: bool)
     """
     import numpy as np
 
-    quantities = _quantities(points)
-    codes = [""] * points.count
-    try:
-        normalised, reference = _stiffness(quantities)
-    except GranularError:
-        normalised, reference = _one_by_one(points, quantities, codes, keep_going=keep_going)
+    from granular.routes.slip_geometry_array import slides
+
+    quantities, codes = _quantities(points, keep_going=keep_going)
+    normalised, reference = np.full((points.count, len(COMPONENTS)), np.nan), np.full(points.count, np.nan)
+
+    def refused(place: int, refusal: GranularError) -> None:
+        if not keep_going or isinstance(refusal, MISTAKES):
+            with at_point(points.at(place)):
+                raise refusal
+        codes[place] = refusal.code
+
+    left = [np.flatnonzero((codes == "") & (quantities["hypothesis"] == name)) for name in Hypothesis]
+    while left:
+        here = left.pop()
+        try:
+            normalised[here], reference[here] = _stiffness(quantities, here)
+        except GranularError as refusal:
+            if here.size == 1:
+                refused(int(here[0]), refusal)
+            elif not isinstance(refusal, ComplianceInfinite):
+                left += np.array_split(here, 2)[::-1]  # the first half comes next, so that the first point is told
+            elif keep_going:
+                sliding = slides(*(quantities[name][here] for name in _SLIDING))
+                codes[here[sliding]] = refusal.code
+                left.append(here[~sliding])
+            else:
+                left.append(here[slides(*(quantities[name][here] for name in _SLIDING))][:1])
     components = normalised * reference[:, None]
-    for place in np.flatnonzero(_lost(components, quantities["poisson_ratio"])).tolist():
-        if not codes[place]:
-            _refuse_or_note(points, place, codes, _lost_digits(components[place], reference[place]),
-                            keep_going=keep_going)
-            components[place] = reference[place] = np.nan
-    return _kept(components, reference, codes, outputs)
+    for place in np.flatnonzero((codes == "") & _lost(components, quantities["poisson_ratio"])).tolist():
+        refused(place, _lost_digits(components[place], reference[place]))
+        components[place] = reference[place] = np.nan
+    return _kept(components, reference, codes.tolist(), outputs)
 
 
 def _kept(components: Array, reference: Array, codes: list[str], outputs: Sequence[str]) -> dict[str, list[object]]:
@@ -166,63 +188,58 @@ def _kept(components: Array, reference: Array, codes: list[str], outputs: Sequen
     return {name: list(values) for name, values in kept.items()} | {"refusal": list[object](codes)}
 
 
-def _quantities(points: Points) -> dict[str, NDArray[Any]]:
-    """Everything that enters, point by point; each table is built once wherever it stands."""
+def _quantities(points: Points, *, keep_going: bool) -> tuple[dict[str, NDArray[Any]], NDArray[np.object_]]:
+    """Everything that enters, point by point, and the codes of tables that are refused; each table is built once."""
     import numpy as np
 
     builder = SceneBuilder(points.base)
     quantities: dict[str, NDArray[Any]] = {}
-    for name, (table, read) in QUANTITIES.items():
+    codes = np.full(points.count, "", dtype=object)
+    for table in dict.fromkeys(table for table, _ in QUANTITIES.values()):
         shape, along = points.along(table)
-        content = np.array([read(builder.table(table, values)) for values in along])
-        quantities[name] = np.broadcast_to(content.reshape(shape), points.shape).ravel()
-    return quantities
+        built: list[tuple[Table | None, str]] = []
+        for values in along:
+            try:
+                with at_point(values):
+                    built.append((builder.table(table, values), ""))
+            except GranularError as refusal:
+                if not keep_going or isinstance(refusal, MISTAKES):
+                    raise
+                built.append((None, refusal.code))
+        sound = np.array([not code for _, code in built])
+
+        def spread(content: list[Any], shape: tuple[int, ...] = shape) -> NDArray[Any]:
+            return np.broadcast_to(np.array(content).reshape(shape), points.shape).ravel()
+
+        for name, (home, read) in QUANTITIES.items():
+            if home == table:
+                known = [None if code else read(content) for content, code in built]
+                filling = next((value for value in known if value is not None), None)
+                quantities[name] = spread([filling if code else value
+                                           for value, (_, code) in zip(known, built, strict=True)])
+        codes = np.where(spread(sound.tolist()), codes, spread([code for _, code in built]))
+    return quantities, codes
 
 
-def _stiffness(quantities: dict[str, NDArray[Any]]) -> tuple[Array, Array]:
-    """Normalised components and their unit [Pa], for all points of one hypothesis at a time."""
+def _stiffness(quantities: dict[str, NDArray[Any]], here: NDArray[np.intp]) -> tuple[Array, Array]:
+    """Normalised components and their unit [Pa] at some points of one hypothesis."""
     import numpy as np
 
     from granular.array_stiffness import axial_stiffness
     from granular.contact_law import reference_stiffness
 
-    given = {name: quantities[name] for name in _NORMALISED}
-    frictionless = given["friction_coefficient"].dtype == object  # None: contacts that never slip
-    normalised = np.empty((given["D33"].size, len(COMPONENTS)))
-    for hypothesis in np.unique(quantities["hypothesis"]).tolist():
-        here = quantities["hypothesis"] == hypothesis
-        D33, Dr33, stress_ratio, friction, poisson_ratio = (given[name][here] for name in _NORMALISED)
-        normalised[here] = axial_stiffness(D33, Dr33, stress_ratio, None if frictionless else friction, poisson_ratio,
-                                           hypothesis=hypothesis)
-    scales, place = np.unique(np.stack([quantities[name] for name in _REFERENCE]), axis=1, return_inverse=True)
+    if not here.size:
+        return np.empty((0, len(COMPONENTS))), np.empty(0)
+    D33, Dr33, stress_ratio, friction, poisson_ratio = (quantities[name][here] for name in _NORMALISED)
+    never_slips = friction.dtype == object  # None: a scene without friction
+    normalised = axial_stiffness(D33, Dr33, stress_ratio, None if never_slips else friction, poisson_ratio,
+                                 hypothesis=quantities["hypothesis"][here[0]].item())
+    scales, place = np.unique(np.stack([quantities[name][here] for name in _REFERENCE]), axis=1, return_inverse=True)
     units = [reference_stiffness(shear_modulus, poisson_ratio, mean_stress=mean_stress, void_ratio=void_ratio,
                                  coordination_number=coordination_number, length_ratio=length_ratio)
              for shear_modulus, poisson_ratio, mean_stress, void_ratio, coordination_number, length_ratio
              in scales.T.tolist()]
     return normalised, np.array(units)[place.ravel()]
-
-
-def _one_by_one(points: Points, quantities: dict[str, NDArray[Any]], codes: list[str], *,
-                keep_going: bool) -> tuple[Array, Array]:
-    """The same where a point is refused, which is found by taking them singly."""
-    import numpy as np
-
-    normalised, reference = np.full((points.count, len(COMPONENTS)), np.nan), np.full(points.count, np.nan)
-    for place in range(points.count):
-        try:
-            one, unit = _stiffness({name: values[place:place + 1] for name, values in quantities.items()})
-        except GranularError as refusal:
-            _refuse_or_note(points, place, codes, refusal, keep_going=keep_going)
-        else:
-            normalised[place], reference[place] = one[0], unit[0]
-    return normalised, reference
-
-
-def _refuse_or_note(points: Points, place: int, codes: list[str], refusal: GranularError, *, keep_going: bool) -> None:
-    if not keep_going or isinstance(refusal, MISTAKES):
-        with at_point(points.at(place)):
-            raise refusal
-    codes[place] = refusal.code
 
 
 def _lost(components: Array, poisson_ratio: Array) -> NDArray[np.bool_]:

@@ -10,10 +10,12 @@ import multiprocessing
 import os
 import signal
 import socket
+import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from multiprocessing import resource_tracker
+from types import ModuleType
 from typing import Any
 
 from granular.errors import SchedulerUnreachable, WorkersUnusable
@@ -74,16 +76,16 @@ def computed(tasks: Tasks, *, workers: int | None, client: Any = None) -> Iterat
 
 
 def refuse_inside_a_worker() -> None:
-    """Refuse to start a sweep in a process that is still reading the script which started it.
+    """Refuse to start a sweep in a process that is still importing the script of the one which started it.
 
     Raises
     ------
     WorkersUnusable
-        The script calls the sweep when it is imported, as every worker does.
+        The script calls the sweep when it is imported, as processes do that somebody else has started.
     """
     if getattr(multiprocessing.current_process(), "_inheriting", False):
         raise WorkersUnusable("a sweep that is called when its script is imported",
-                              allowed="allowed only behind a guard, for every worker imports the script",
+                              allowed="allowed only behind a guard in a script that starts processes of its own",
                               remedy='Put the call under if __name__ == "__main__":, or say workers=1.')
 
 
@@ -164,7 +166,7 @@ def _local(processes: int) -> Iterator[Any]:
 
     with ExitStack() as stack:
         stack.enter_context(_quiet())
-        with _without_interrupt():
+        with _without_interrupt(), _without_script():
             try:
                 cluster = stack.enter_context(LocalCluster(
                     n_workers=processes, threads_per_worker=1, processes=True, host="127.0.0.1",
@@ -173,8 +175,7 @@ def _local(processes: int) -> Iterator[Any]:
             except (OSError, RuntimeError, TimeoutError) as error:
                 raise WorkersUnusable(
                     f"{processes} processes could not be started ({' '.join(str(error).split())[:200]})",
-                    allowed="needed: a script that can be imported, and room for the processes",
-                    remedy='Put the call under if __name__ == "__main__":, or say workers=1.') from None
+                    allowed="needed: memory and processes for as many", remedy="Say fewer, or workers=1.") from None
         yield client
 
 
@@ -265,6 +266,17 @@ def _without_interrupt() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+@contextmanager
+def _without_script() -> Iterator[None]:
+    """Start processes that do not import the script of this one: nothing in it is needed to compute a chunk."""
+    script = sys.modules["__main__"]
+    sys.modules["__main__"] = ModuleType("__main__")
+    try:
+        yield
+    finally:
+        sys.modules["__main__"] = script
 
 
 def _cores() -> int:
