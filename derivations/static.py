@@ -7,7 +7,7 @@ from functools import cache
 
 import sympy as sp
 
-from derivations import contact
+from derivations import batch_static, contact
 from derivations.axial_components import six_components
 from derivations.fabric import DENSITY, fabric_tensor
 from derivations.kinematic import DISTINCT_TANGENTS, EQUAL_TANGENTS, LAM, ONE_MINUS_LAM
@@ -253,8 +253,10 @@ def static_constant() -> Derivation:
         inputs=(D33, D3333, Dr33, nu),
         outputs=(*(Output(c, e.xreplace(closed)) for c, e in zip(STIFFNESS, positive_stiffness(), strict=True)),
                  *(Output(c, e.xreplace(closed)) for c, e in zip(COMPLIANCE, positive_compliance(), strict=True))),
-        steps=(*_compliance_steps(), _inverse_step(), *moment_steps()),
+        steps=(*_compliance_steps(), _inverse_step(), *moment_steps(),
+               *batch_static.steps(tuple(c.xreplace(closed) for c in positive_stiffness()))),
         functions=(moment_function(), stiffness_function(), compliance_function()),
+        batch=batch_static.batch(),
     )
 
 

@@ -111,10 +111,11 @@ def axial_stiffness(
     Notes
     -----
     Accuracy: every component to 2^-49, about 1.8e-15 of itself, unless it is below 2.3e-308; to 1e-12 where friction
-    is given, ``rtol`` is 1e-12 or more, and there are 4096 elements with one friction or 2^17 with several: these are
+    is given, ``rtol`` is 1e-12 or more, and there are 2^13 elements with one friction or 2^18 with several: these are
     read from tables, in a small part of the time.
-    Cost of an element: a closed form where all contacts carry the same force. Without friction (kinematic) six
-    polynomials where the forces at pole and equator have a ratio from 1/9 to 6, as stress ratios from 1/3 to 3 give
+    Cost of an element: a closed form where all contacts are equally stiff (static: four polynomials where branch
+    lengths at pole and equator are within a factor 9). With forces and without friction (kinematic) six polynomials
+    where the forces at pole and equator have a ratio from 1/9 to 6, as stress ratios from 1/3 to 3 give
     with any fabric; elsewhere sums over 28 to 500 directions, and over 150 to 900 with friction, the more the nearer
     the onset of sliding.
     Source: eqs (4), (7), and Figure 1(b) with (20)-(23).
@@ -133,7 +134,7 @@ def axial_stiffness(
 
     chosen = hypothesis_named(hypothesis)
     require_accuracy("axial_stiffness", RELATIVE_ERROR, rtol)
-    _require_options(invalid, threads)
+    _require_options(invalid, engine, threads)
     given = {"D33": real_array(D33, "D33"), "Dr33": real_array(Dr33, "Dr33"),
              "stress_ratio": real_array(stress_ratio, "stress_ratio"),
              "poisson_ratio": real_array(poisson_ratio, "poisson_ratio")}
@@ -161,10 +162,10 @@ def _kernel(*, kinetic: bool, hypothesis: Hypothesis, friction: NDArray[Any] | N
     from granular.batch import constant, slip
     from granular.batch import kinetic as with_force
 
+    if not kinetic:
+        return constant.STATIC if hypothesis is Hypothesis.STATIC else constant.KINEMATIC
     if hypothesis is Hypothesis.STATIC:
         return None
-    if not kinetic:
-        return constant.KINEMATIC
     return with_force.KINEMATIC if friction is None else slip.kernel_for(friction, size, rtol)
 
 
@@ -220,7 +221,10 @@ def _fill(result: Array, index: Index, given: dict[str, NDArray[Any]], kinetic: 
     rows[index] = with_forces(d, dr, ratio, friction, nu, hypothesis)
 
 
-def _require_options(invalid: str, threads: int | None) -> None:
+def _require_options(invalid: str, engine: str | None, threads: int | None) -> None:
+    from granular.batch.engines import engine_named
+
+    engine_named(engine)
     if invalid not in INVALID:
         raise UnknownChoice(f"invalid = {invalid!r}", allowed=f"allowed: {', '.join(map(repr, INVALID))}",
                             remedy="Say whether elements without an answer are refused or become NaN.")

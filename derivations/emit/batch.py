@@ -12,7 +12,7 @@ from textwrap import fill
 
 import sympy as sp
 
-from derivations.emit.module import WIDTH, correctly_rounded, docstring, header
+from derivations.emit.module import WIDTH, called_functions, correctly_rounded, docstring, header
 from derivations.emit.printer import python_source
 from derivations.record import BatchFunction, Derivation
 from derivations.series import TruncatedSeries
@@ -61,17 +61,25 @@ RELATIONS = {sp.StrictGreaterThan: ">", sp.GreaterThan: ">=", sp.StrictLessThan:
 
 def loop_module(derivation: Derivation) -> str:
     """Return the text of ``granular/generated/NAME_loop.py``."""
-    return "\n".join([_header(derivation, "a loop over elements, to be compiled"), IMPORTS, "",
-                      "\n\n".join(_loop(one, _tables(derivation)) for one in derivation.batch)])
+    bodies = [_loop(one, _tables(derivation)) for one in derivation.batch]
+    return "\n".join([_header(derivation, "a loop over elements, to be compiled"), _imports(bodies), "",
+                      "\n\n".join(bodies)])
 
 
 def block_module(derivation: Derivation) -> str:
     """Return the text of ``granular/generated/NAME_block.py``."""
     groups = {_table_name(group): group for one in derivation.batch for group in _polynomial_groups(one)}
-    parts = [_header(derivation, "blocks of elements at once"), IMPORTS]
+    bodies = [_block(one) for one in derivation.batch]
+    parts = [_header(derivation, "blocks of elements at once"), _imports(bodies)]
     parts += [_table(name, [_tables(derivation)[_called(e)] for _, e in group]) for name, group in groups.items()]
     return "\n".join(parts) + "\n\n" + "\n\n".join(
-        [*([POLYNOMIALS] if groups else []), *(_block(one) for one in derivation.batch)])
+        [*([POLYNOMIALS] if groups else []), *bodies])
+
+
+def _imports(bodies: list[str]) -> str:
+    """NumPy's functions in both forms: they take what is outside their domain without a stop."""
+    called = called_functions(bodies)
+    return IMPORTS.replace("typing as npt\n", f"typing as npt\nfrom numpy import {called}\n") if called else IMPORTS
 
 
 def _header(derivation: Derivation, kind: str) -> str:
@@ -197,10 +205,19 @@ def _pass(one: BatchFunction, members: list[Assignment], kept: set[str], tables:
             else:
                 lines.append(f"{symbol.name} = {python_source(expression)}")
     lines += [f"keep_{name}[i] = {name}" for name in sorted(own & kept)]
-    returns = one.function.returns
-    if own & {r.name for r in returns}:
-        lines += [f"place = {len(returns)}*i", *(f"{target}[place + {k}] = {r.name}" for k, r in enumerate(returns))]
+    stored = _stored(one, own)
+    if stored:
+        lines += [f"place = {len(one.function.returns)}*i",
+                  *(f"{target}[place + {k}] = {r.name}" for k, r in stored)]
     return lines
+
+
+def _stored(one: BatchFunction, own: set[str]) -> list[tuple[int, sp.Symbol]]:
+    """Results that a pass writes, with their places: those that it assigns, and numbers beside the first of all."""
+    returns = one.function.returns
+    numbers = {symbol.name for symbol, expression in one.function.assignments if expression.is_number}
+    return [(k, r) for k, r in enumerate(returns)
+            if r.name in own or (r.name in numbers and returns[0].name in own)]
 
 
 def _horner(run: list[Assignment], tables: dict[str, TruncatedSeries]) -> list[str]:
@@ -242,7 +259,7 @@ def _table(name: str, members: list[TruncatedSeries]) -> str:
 
 def _block(one: BatchFunction) -> str:
     lines = []
-    groups = iter(_polynomial_groups(one))
+    groups, read = iter(_polynomial_groups(one)), _needed(one, list(one.function.assignments))
     for key, members in groupby(one.function.assignments, _group_key):
         if key is not None:
             group = next(groups)
@@ -254,7 +271,10 @@ def _block(one: BatchFunction) -> str:
                 lines += [f"served = {_served(one)}",
                           f"{symbol.name} = np.where(served, {python_source(expression)}, np.nan)"]
             elif symbol in one.function.returns:
-                lines.append(f"rows[:, {one.function.returns.index(symbol)}] = {python_source(expression)}")
+                column = f"rows[:, {one.function.returns.index(symbol)}]"
+                lines.append(f"{column} = {python_source(expression)}")
+                if symbol.name in read:
+                    lines.append(f"{symbol.name} = {column}")
             else:
                 lines.append(f"{symbol.name} = {python_source(expression)}")
     body = "\n".join(f"        {line}" for line in lines)

@@ -20,6 +20,22 @@ def _block() -> BlockFunction:
     return kinematic_constant
 
 
+def _static_loop() -> BlockFunction:
+    from granular.generated.static_constant_loop import static_constant
+
+    return static_constant
+
+
+def _static_block() -> BlockFunction:
+    from granular.generated.static_constant_block import static_constant
+
+    return static_constant
+
+
 KINEMATIC = Kernel(name="constant stiffness, kinematic", inputs=("D33", "Dr33", "poisson_ratio"),
                    relative_error=RELATIVE_ERROR, array=_block, loop=_loop)
 """Serves the whole domain of the model."""
+
+STATIC = Kernel(name="constant stiffness, static", inputs=("D33", "Dr33", "poisson_ratio"),
+                relative_error=RELATIVE_ERROR, array=_static_block, loop=_static_loop)
+"""Serves branch lengths at pole and equator within a factor 9, -16/19 <= Dr33 <= 16/11."""

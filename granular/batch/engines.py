@@ -59,14 +59,43 @@ def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None)
     >>> choose_engine(KINEMATIC, 10, "numpy").value
     'numpy'
     """
-    if wanted is None:
-        ready = kernel.loop() in _compiled or (size >= COMPILE_FROM and compiler_installed())
-        return Engine.COMPILED if ready else Engine.NUMPY
+    engine = engine_named(wanted)
+    if engine is not None:
+        return engine
+    ready = kernel.loop() in _compiled or (size >= COMPILE_FROM and compiler_installed())
+    return Engine.COMPILED if ready else Engine.NUMPY
+
+
+def engine_named(name: Engine | str | None) -> Engine | None:
+    """The engine of a name.
+
+    Parameters
+    ----------
+    name : Engine or str or None
+        What was given; None leaves the choice.
+
+    Returns
+    -------
+    Engine or None
+        The engine, None for None.
+
+    Raises
+    ------
+    UnknownChoice
+        Another name, or ``compiled`` without numba.
+
+    Examples
+    --------
+    >>> engine_named("numpy").name
+    'NUMPY'
+    """
+    if name is None:
+        return None
     try:
-        engine = Engine(wanted)
+        engine = Engine(name)
     except ValueError:
         known = ", ".join(repr(choice.value) for choice in Engine)
-        raise UnknownChoice(f"engine = {wanted!r}", allowed=f"allowed: {known}",
+        raise UnknownChoice(f"engine = {name!r}", allowed=f"allowed: {known}",
                             remedy="Leave engine out, or name one of these.") from None
     if engine is Engine.COMPILED and not compiler_installed():
         raise UnknownChoice("engine = 'compiled' without numba", allowed="allowed: 'numpy'",

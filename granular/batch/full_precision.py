@@ -19,9 +19,6 @@ RELATIVE_ERROR = 2.0**-49
 BLOCK = 8192
 """Elements evaluated at a time, so that the dozen intermediate arrays stay in cache."""
 
-LARGEST_RATIO = 9.0
-"""Branch lengths at pole and equator up to this factor apart take the emitted static moments."""
-
 
 def with_equal_contacts(D33: Array, Dr33: Array, nu: Array, hypothesis: Hypothesis) -> Array:
     """Contacts that are all equally stiff.
@@ -44,36 +41,27 @@ def with_equal_contacts(D33: Array, Dr33: Array, nu: Array, hypothesis: Hypothes
     """
     import numpy as np
 
-    result = np.empty((D33.size, len(COMPONENTS)))
-    if hypothesis is Hypothesis.KINEMATIC:
-        from granular.batch.constant import KINEMATIC
-        from granular.batch.evaluation import evaluate_batch
+    from granular.batch.constant import KINEMATIC, STATIC
+    from granular.batch.evaluation import evaluate_batch
 
-        evaluate_batch(KINEMATIC, (D33, Dr33, nu), result)
-        return result
-    for start in range(0, D33.size, BLOCK):
-        here = slice(start, start + BLOCK)
-        for column, values in enumerate(_static(D33[here], Dr33[here], nu[here])):
-            result[here, column] = values
+    result = np.empty((D33.size, len(COMPONENTS)))
+    kernel = KINEMATIC if hypothesis is Hypothesis.KINEMATIC else STATIC
+    left = evaluate_batch(kernel, (D33, Dr33, nu), result)
+    for start in range(0, left.size, BLOCK):
+        here = left[start:start + BLOCK]
+        result[here] = _by_gauss_rule(D33[here], Dr33[here], nu[here])
     return result
 
 
-def _static(D33: Array, Dr33: Array, nu: Array) -> tuple[Array, ...]:
-    """Each element by exactly one way of computing its moments: the emitted series, or the axial Gauss rule."""
+def _by_gauss_rule(D33: Array, Dr33: Array, nu: Array) -> Array:
+    """Static components where branch lengths differ too much for a kernel."""
     import numpy as np
 
-    from granular.generated import static_constant_array as emitted
+    from granular.generated.static_constant_array import stiffness_from_moments
     from granular.routes.axial_array import static_moments
 
-    moments = np.empty((3, *D33.shape))
-    pole, equator = 2 * (1 + Dr33), 2 - Dr33
-    near = (pole <= LARGEST_RATIO * equator) & (equator <= LARGEST_RATIO * pole)
-    if near.any():
-        moments[:, near] = emitted.static_moments(D33[near], np.zeros(()), Dr33[near])
-    far = ~near
-    if far.any():
-        moments[:, far] = static_moments(D33[far], Dr33[far])
-    return emitted.stiffness_from_moments(moments[0], moments[1], moments[2], D33, nu)
+    moments = static_moments(D33, Dr33)
+    return np.stack(stiffness_from_moments(moments[0], moments[1], moments[2], D33, nu), axis=-1)
 
 
 def with_forces(D33: Array, Dr33: Array, stress_ratio: Array, friction: Array | None, nu: Array,

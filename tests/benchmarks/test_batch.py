@@ -19,7 +19,7 @@ from granular.speed.sample import sample
 pytestmark = pytest.mark.benchmark
 
 ROUNDS = 15
-KERNELS = [constant.KINEMATIC, kinetic.KINEMATIC]
+KERNELS = [constant.KINEMATIC, constant.STATIC, kinetic.KINEMATIC]
 
 
 def arguments(kernel: Kernel, size: int) -> tuple[np.ndarray, ...]:

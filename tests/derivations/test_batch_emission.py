@@ -15,7 +15,7 @@ from derivations.economised import economise
 from derivations.emit.batch import block_module, loop_module
 from derivations.symbols import a, v
 
-NAMES = ("kinematic_constant", "kinetic")
+NAMES = ("kinematic_constant", "static_constant", "kinetic")
 
 
 def value(coefficients: tuple[Fraction, ...] | list[Fraction], point: Fraction) -> Fraction:
