@@ -80,7 +80,7 @@ def series(m: int) -> TruncatedSeries:
     """The m-th integral as a polynomial whose value at v = 0 is an integer, half its least value as the measure."""
     first, *others = taylor(m)
     points = [LOW + (HIGH - LOW) * Fraction(k, 20) for k in range(21)]
-    smallest = min(sum(c * point**n for n, c in enumerate(taylor(m))) for point in points) / 2
+    smallest = min(sum((c * point**n for n, c in enumerate(taylor(m))), Fraction(0)) for point in points) / 2
     coefficients, rest = economise(others, LOW, HIGH, PRECISION * smallest / HIGH)
     left_out = rest * HIGH / smallest
     return TruncatedSeries(f"QUARTIC_{m}", rationals((first, *coefficients)), sp.Rational(268, 1000),
