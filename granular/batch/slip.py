@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 RELATIVE_ERROR = 1e-12
 """Bound of every component that is not subnormal [-]; the worst met in the tests is a twentieth of it."""
 
-ONE_FROM = 1 << 12
-"""Elements from which a table for one friction is made: it takes as long as two or three thousand of them."""
+ONE_FROM = 1 << 13
+"""Elements from which a table for one friction is made: it takes as long as some five thousand of them."""
 
-ANY_FROM = 1 << 17
-"""Elements from which the table for any friction is made, once in a process: it takes as long as some 80,000."""
+ANY_FROM = 1 << 18
+"""Elements from which the table for any friction is made, once in a process: it takes as long as some 170,000."""
 
 LEAST, MOST = 1e-3, 3.0
 """Friction for which a table of its own is made [-]; beyond it panels would have to be narrower."""

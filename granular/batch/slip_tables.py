@@ -9,7 +9,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from granular.batch.slip_layout import BEFORE, COLUMNS, CONTRASTS, INTEGRALS, OCTAVES, ROWS, TERMS, ZONE, intervals
+from granular.batch.slip_layout import (
+    BEFORE,
+    COLUMN_WIDTH,
+    COLUMNS,
+    CONTRASTS,
+    INTEGRALS,
+    OCTAVES,
+    ROWS,
+    TERMS,
+    ZONE,
+    intervals,
+)
 from granular.batch.slip_nodes import smooth_values
 
 if TYPE_CHECKING:
@@ -112,19 +123,19 @@ def general_table() -> Table:
     Returns
     -------
     Table
-        Panels of the margin before the onset, then after it, each with all panels of the contrast; 512 kB or more.
+        Panels of the margin before the onset, then after it, each with all panels of the contrast; 2 MB.
 
     Notes
     -----
     Accuracy: 2e-13 of a value. Source: interpolation of :func:`granular.batch.slip_nodes.smooth_values` at Chebyshev
-    nodes; made once in a process, in about a second.
+    nodes; made once in a process, in the time of some 150,000 sums.
     """
     side = intervals(OCTAVES, 2)
     size = max(ROWS)
     nodes, to_chebyshev, to_powers = _interpolation(size)
-    kept = np.arange(size)[:, None] < np.array([*ROWS, *[0] * (size - len(ROWS))])
-    width = (CONTRASTS[1] - CONTRASTS[0]) / COLUMNS
-    columns = CONTRASTS[0] + width * (np.arange(COLUMNS) + (1 + nodes[:, None]) / 2).T
+    across, to_chebyshev_across, to_powers_across = _interpolation(len(ROWS))
+    kept = np.arange(size)[:, None] < np.array(ROWS)
+    columns = CONTRASTS[0] + COLUMN_WIDTH * (np.arange(COLUMNS)[:, None] + (1 + across) / 2)
     coefficients = np.zeros((2 * len(side) * COLUMNS, INTEGRALS, sum(ROWS)))
     middle, narrowness = np.full((2, len(coefficients)), np.nan)
     for place, (low, high, sign) in enumerate([(*pair, sign) for sign in (1, -1) for pair in side]):
@@ -133,10 +144,10 @@ def general_table() -> Table:
         margin, contrast = np.broadcast_arrays(sign * ((low + high) / 2 + (high - low) / 2 * nodes)[None, :, None],
                                                columns[:, None, :])
         values = smooth_values(margin.ravel(), contrast.ravel()).reshape(INTEGRALS, *margin.shape)
-        chebyshev = np.where(kept, to_chebyshev @ values @ to_chebyshev.T, 0.0)
-        full = to_powers @ chebyshev @ to_powers.T  # both highest power first
+        chebyshev = np.where(kept, to_chebyshev @ values @ to_chebyshev_across.T, 0.0)
+        full = to_powers @ chebyshev @ to_powers_across.T  # both highest power first
         here = slice(place * COLUMNS, (place + 1) * COLUMNS)
-        coefficients[here] = np.concatenate([full[:, :, size - terms:, size - 1 - power].swapaxes(0, 1)
+        coefficients[here] = np.concatenate([full[:, :, size - terms:, len(ROWS) - 1 - power].swapaxes(0, 1)
                                              for power, terms in reversed(list(enumerate(ROWS)))], axis=-1)
         middle[here], narrowness[here] = (low + high) / 2, 2 / (high - low)
     return Table(coefficients, middle, narrowness)
