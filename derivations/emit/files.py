@@ -18,6 +18,7 @@ from derivations.emit.batch import block_module, loop_module
 from derivations.emit.formulas import formula_fragment
 from derivations.emit.gauss import gauss_module
 from derivations.emit.module import operations_before
+from derivations.emit.panels import panel_module
 from derivations.emit.scalar import scalar_module
 from derivations.record import Derivation
 
@@ -73,7 +74,8 @@ def emitted_files(processes: int = 1) -> dict[str, str]:
             nodes = pool.submit(gauss_module)
             emitted = list(pool.map(emitted_of, names()))
             gauss = nodes.result()
-    files = {f"{GENERATED}/__init__.py": PACKAGE, f"{GENERATED}/gauss_legendre.py": gauss}
+    files = {f"{GENERATED}/__init__.py": PACKAGE, f"{GENERATED}/gauss_legendre.py": gauss,
+             f"{GENERATED}/panel_rows.py": panel_module()}
     index = {}
     for name, (texts, entry) in zip(names(), emitted, strict=True):
         files.update(texts)
