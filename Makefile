@@ -47,7 +47,7 @@ lint: $(READY) ## style and strict types
 
 test: lint ## set up, lint, type-check, test
 	@$(BIN)/derivations check
-	@$(BIN)/python -m pytest -n logical --dist loadfile
+	@$(BIN)/python -m pytest -n logical --dist loadfile --no-loadscope-reorder
 
 bench: $(READY) ## what accuracy costs in time, as ratios measured side by side
 	@$(BIN)/python -m pytest tests/benchmarks -m benchmark -s -q
