@@ -65,15 +65,16 @@ root_a, root_c, roots, scaled, reciprocal = sp.symbols("root_a root_c roots scal
 
 
 @cache
-def _force_series() -> tuple[tuple[Fraction, ...], ...]:
-    """Cube root of B = 1 + 3 z v + 3 v^2 + z v^3 in powers of v, each a polynomial in z = y - s; from 3 B f' = B' f."""
+def force_series(power: Fraction = Fraction(1, 3)) -> tuple[tuple[Fraction, ...], ...]:
+    """A power of B = 1 + 3 z v + 3 v^2 + z v^3 in powers of v, each a polynomial in z = y - s; from B f' = q B' f."""
     rows: list[tuple[Fraction, ...]] = [(Fraction(1),)]
     for n in range(1, LENGTH):
         row = [Fraction(0)] * (n + 1)
-        for back, shift, factor_ in ((1, 1, 4 - 3 * n), (2, 0, 8 - 3 * n), (3, 1, 4 - n)):
+        for back, shift, factor_ in ((1, 1, 3 * power - 3 * (n - 1)), (2, 0, 6 * power - 3 * (n - 2)),
+                                     (3, 1, 3 * power - (n - 3))):
             if back <= n:
                 for q, value in enumerate(rows[n - back]):
-                    row[q + shift] += Fraction(factor_, n) * value
+                    row[q + shift] += factor_ / n * value
         rows.append(tuple(row))
     return tuple(rows)
 
@@ -81,14 +82,14 @@ def _force_series() -> tuple[tuple[Fraction, ...], ...]:
 @cache
 def taylor(m: int) -> tuple[Fraction, ...]:
     """Exact coefficients in v of DENOMINATOR times the m-th integral."""
-    return tuple(DENOMINATOR * sum((value * _contrast_moment(m, q) for q, value in enumerate(row) if value),
-                                     Fraction(0)) for row in _force_series())
+    return tuple(DENOMINATOR * sum((value * contrast_moment(m, q) for q, value in enumerate(row) if value),
+                                     Fraction(0)) for row in force_series())
 
 
 @cache
-def _contrast_moment(m: int, q: int) -> Fraction:
-    """Integral of s^(5-m) y^m (y - s)^q over x from 0 to 1."""
-    total = sum(((-1) ** (q - j) * sp.binomial(q, j) * axial_moment(5 - m + q - j, m + j) for j in range(q + 1)),
+def contrast_moment(m: int, q: int, degree: int = 5) -> Fraction:
+    """Integral of s^(degree-m) y^m (y - s)^q over x from 0 to 1."""
+    total = sum(((-1) ** (q - j) * sp.binomial(q, j) * axial_moment(degree - m + q - j, m + j) for j in range(q + 1)),
                 sp.Integer(0))
     return Fraction(int(total.p), int(total.q))
 

@@ -6,7 +6,7 @@ from functools import cache
 
 import sympy as sp
 
-from derivations import gradients_kinematic, gradients_series, gradients_static
+from derivations import gradients_batch, gradients_kinematic, gradients_series, gradients_static
 from derivations.forward import slope_symbol, with_slopes
 from derivations.gradients_kinematic import FORCE_PARTIALS, FORCES, LAM_PARTIALS
 from derivations.kinematic import LAM, ONE_MINUS_LAM, closed_moments, positive_components
@@ -226,10 +226,12 @@ def gradients() -> Derivation:
         inputs=(D33, Dr33, SR, mu, nu),
         outputs=tuple(Output(slope_symbol(symbol, v), sp.factor(sp.diff(form, v)))
                       for v in (D33, Dr33, nu) for symbol, form in zip(STIFFNESS, closed_components(), strict=True)),
-        steps=(_constant_step(), *_force_steps(), *_slip_steps(), *_static_steps(), _reference_step()),
+        steps=(_constant_step(), *_force_steps(), *_slip_steps(), *_static_steps(), _reference_step(),
+               gradients_batch.step()),
         functions=(gradients_kinematic.constant_gradient(), gradients_kinematic.kinetic_gradient(),
                    gradients_static.constant_gradient(), gradients_static.kinetic_gradient(),
                    gradients_static.inverse_slope(), gradients_kinematic.normal_moments(),
                    gradients_static.normal_moments(), shear_slopes(), reference_slopes(),
                    gradients_series.force_moments()),
+        batch=gradients_batch.batch(),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from granular.batch.arguments import common_shape, hypothesis_named, real_array, require_range, require_sticking
 from granular.errors import SlopeInfinite, ValueOutOfRange
@@ -12,7 +12,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
+    from granular.batch.kernel import Kernel
+
     Array = NDArray[np.float64]
+    Index = NDArray[np.intp]
 
 PARAMETERS = ("D33", "Dr33", "stress_ratio", "friction_coefficient", "poisson_ratio")
 """What the last axis of a jacobian counts, in this order."""
@@ -43,6 +46,8 @@ def axial_gradient(
     *,
     kinetic: bool = True,
     hypothesis: Hypothesis | str = Hypothesis.KINEMATIC,
+    engine: str | None = None,
+    threads: int | None = None,
 ) -> AxialGradient:
     """Stiffness of axially symmetric assemblies and its exact slopes, for arrays of fabrics.
 
@@ -65,6 +70,8 @@ def axial_gradient(
         friction are zero.
     hypothesis : "kinematic" or "static"
         Upper bound or lower estimate.
+    engine, threads : optional
+        How many assemblies without slip are run, as in :func:`granular.axial_stiffness`; the same bits always.
 
     Returns
     -------
@@ -107,6 +114,9 @@ def axial_gradient(
     """
     import numpy as np
 
+    from granular.batch.evaluation import evaluate_batch
+    from granular.derivatives.rows import COLUMNS
+
     chosen = hypothesis_named(hypothesis)
     given = {"D33": real_array(D33, "D33"), "Dr33": real_array(Dr33, "Dr33"),
              "stress_ratio": real_array(stress_ratio, "stress_ratio"),
@@ -115,38 +125,55 @@ def axial_gradient(
         given["friction_coefficient"] = real_array(friction_coefficient, "friction_coefficient")
     shape = common_shape(given)
     require_range(given)
-    flat = {name: np.broadcast_to(values, shape).astype(np.float64).ravel() for name, values in given.items()}
-    rows = _rows(flat, chosen, kinetic=kinetic).reshape(*shape, 6, 6)
-    return AxialGradient(rows[..., 0, :], np.moveaxis(rows[..., 1:, :], -1, -2))
+    rows = np.empty((*shape, COLUMNS))
+    kernel = _kernel(given, chosen, kinetic=kinetic)
+    if kernel is None:
+        rest = np.arange(rows.size // COLUMNS)
+    else:
+        rest = evaluate_batch(kernel, [given[name] for name in kernel.inputs], rows, engine=engine, threads=threads)
+    if rest.size:
+        _fill(rows.reshape(-1, COLUMNS), rest, given, shape, chosen, kinetic=kinetic)
+    by_slope = rows.reshape(*shape, COLUMNS // 6, 6)
+    return AxialGradient(by_slope[..., 0, :], np.moveaxis(by_slope[..., 1:, :], -1, -2))
 
 
-def _rows(given: dict[str, Array], hypothesis: Hypothesis, *, kinetic: bool) -> Array:
-    """Rows of six components and thirty slopes, a block of elements at a time."""
+def _kernel(given: dict[str, NDArray[Any]], hypothesis: Hypothesis, *, kinetic: bool) -> Kernel | None:
+    """The kernel that is asked first, where there is one."""
+    from granular.derivatives import kernels
+
+    if hypothesis is Hypothesis.STATIC or (kinetic and "friction_coefficient" in given):
+        return None
+    return kernels.KINETIC if kinetic else kernels.CONSTANT
+
+
+def _fill(rows: Array, index: Index, given: dict[str, NDArray[Any]], shape: tuple[int, ...], hypothesis: Hypothesis, *,
+          kinetic: bool) -> None:
+    """Compute elements that no kernel serves, a block at a time."""
     import numpy as np
 
-    from granular.derivatives.rows import BLOCK, COLUMNS, constant_rows, kinetic_rows, slip_rows
+    from granular.derivatives.rows import BLOCK, constant_rows, kinetic_rows, slip_rows
 
-    d, dr, ratio, nu = (given[name] for name in ("D33", "Dr33", "stress_ratio", "poisson_ratio"))
-    friction = given.get("friction_coefficient")
+    where = () if index.size == len(rows) else np.unravel_index(index, shape)
+    values = {name: np.broadcast_to(array, shape)[where].astype(np.float64).ravel() for name, array in given.items()}
+    d, dr, ratio, nu = (values[name] for name in ("D33", "Dr33", "stress_ratio", "poisson_ratio"))
+    friction = values.get("friction_coefficient")
     slips = np.zeros(d.shape, dtype=bool)
     if kinetic and friction is not None:
         _require_friction(friction)
         if hypothesis is Hypothesis.STATIC:
-            require_sticking(d, ratio, friction, np.arange(d.size), d.size)
+            require_sticking(d, ratio, friction, index, len(rows))
         slips = _with_shear(d, ratio, friction)
-    result = np.empty((d.size, COLUMNS))
     for start in range(0, d.size, BLOCK):
         here = np.arange(start, min(start + BLOCK, d.size))
         plain, slipping = here[~slips[here]], here[slips[here]]
         if not kinetic:
-            result[here] = constant_rows(d[here], dr[here], nu[here], hypothesis)
+            rows[index[here]] = constant_rows(d[here], dr[here], nu[here], hypothesis)
             continue
         if plain.size:
-            result[plain] = kinetic_rows(d[plain], dr[plain], ratio[plain], nu[plain], hypothesis)
+            rows[index[plain]] = kinetic_rows(d[plain], dr[plain], ratio[plain], nu[plain], hypothesis)
         if slipping.size and friction is not None:
-            result[slipping] = slip_rows(d[slipping], dr[slipping], ratio[slipping], friction[slipping],
-                                         nu[slipping], hypothesis)
-    return result
+            rows[index[slipping]] = slip_rows(d[slipping], dr[slipping], ratio[slipping], friction[slipping],
+                                              nu[slipping], hypothesis)
 
 
 def _with_shear(D33: Array, stress_ratio: Array, friction: Array) -> NDArray[np.bool_]:

@@ -1,0 +1,729 @@
+"""Slopes of the stiffness: a loop over elements, to be compiled.
+
+Emitted by ``derivations write`` from the derivation ``gradients``; do not edit.
+Source: (7), (20), (21), (23), Figure 1(b) of Pan & Dong (1999).
+Domain: constant_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5; kinetic_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
+Operations: 1082 (316 in the outputs as derived).
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+Array: TypeAlias = npt.NDArray[np.float64]
+
+
+def constant_rows(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) -> int:
+    """Six components over (M/V) l_e^2 k_n and their slopes, for contacts that are equally stiff.
+
+    Slopes by D33, Dr33, SR, mu and nu, six each; those by SR and mu are zero.
+
+    Parameters
+    ----------
+    all_D33 : (n,) array [-]
+        P2 coefficient of the contact-normal density.
+    all_Dr33 : (n,) array [-]
+        P2 coefficient of the branch-length weight.
+    all_nu : (n,) array [-]
+        Poisson's ratio of the grain material.
+    out : (36 n,) array [-]
+        C1111, C3333, C1122, C1133, C2323, C1212, C1111_D33, C3333_D33, C1122_D33, C1133_D33, C2323_D33,
+        C1212_D33, C1111_Dr33, C3333_Dr33, C1122_Dr33, C1133_Dr33, C2323_Dr33, C1212_Dr33, C1111_SR, C3333_SR,
+        C1122_SR, C1133_SR, C2323_SR, C1212_SR, C1111_mu, C3333_mu, C1122_mu, C1133_mu, C2323_mu, C1212_mu,
+        C1111_nu, C3333_nu, C1122_nu, C1133_nu, C2323_nu, C1212_nu of each element in turn, NaN for those that
+        are not served.
+
+    Returns
+    -------
+    unserved : int
+        How many elements are not served.
+
+    Operations: 288.
+    """
+    C1111_SR = 0
+    C3333_SR = 0
+    C1122_SR = 0
+    C1133_SR = 0
+    C2323_SR = 0
+    C1212_SR = 0
+    C1111_mu = 0
+    C3333_mu = 0
+    C1122_mu = 0
+    C1133_mu = 0
+    C2323_mu = 0
+    C1212_mu = 0
+    unserved = 0
+    for i in range(all_D33.size):
+        D33 = all_D33[i]
+        Dr33 = all_Dr33[i]
+        nu = all_nu[i]
+        e0 = 2 - D33
+        e1 = 2*D33 + 2
+        w0 = 2 - Dr33
+        w1 = 2*Dr33 + 2
+        mixed = e0*w1
+        mixed_D33 = -w1
+        mixed_Dr33 = 2*e0
+        mixed_too = e1*w0
+        mixed_too_D33 = 2*w0
+        mixed_too_Dr33 = -e1
+        omega0 = e0*w0*w0
+        omega0_D33 = -w0*w0
+        omega0_Dr33 = -2*e0*w0
+        omega1 = w0*(2*mixed + mixed_too)
+        omega1_D33 = 2*mixed_D33*w0 + mixed_too_D33*w0
+        omega1_Dr33 = -2*mixed + 2*mixed_Dr33*w0 - mixed_too + mixed_too_Dr33*w0
+        omega2 = w1*(mixed + 2*mixed_too)
+        omega2_D33 = mixed_D33*w1 + 2*mixed_too_D33*w1
+        omega2_Dr33 = 2*mixed + mixed_Dr33*w1 + 4*mixed_too + 2*mixed_too_Dr33*w1
+        omega3 = e1*w1*w1
+        omega3_D33 = 2*w1*w1
+        omega3_Dr33 = 4*e1*w1
+        sum0 = 1280*omega0 + 128*omega1 + 48*omega2 + 40*omega3
+        sum0_D33 = 1280*omega0_D33 + 128*omega1_D33 + 48*omega2_D33 + 40*omega3_D33
+        sum0_Dr33 = 1280*omega0_Dr33 + 128*omega1_Dr33 + 48*omega2_Dr33 + 40*omega3_Dr33
+        sum1 = 128*omega0 + 48*omega1 + 40*omega2 + 70*omega3
+        sum1_D33 = 128*omega0_D33 + 48*omega1_D33 + 40*omega2_D33 + 70*omega3_D33
+        sum1_Dr33 = 128*omega0_Dr33 + 48*omega1_Dr33 + 40*omega2_Dr33 + 70*omega3_Dr33
+        sum2 = 48*omega0 + 40*omega1 + 70*omega2 + 315*omega3
+        sum2_D33 = 48*omega0_D33 + 40*omega1_D33 + 70*omega2_D33 + 315*omega3_D33
+        sum2_Dr33 = 48*omega0_Dr33 + 40*omega1_Dr33 + 70*omega2_Dr33 + 315*omega3_Dr33
+        complement = 2 - nu
+        share = 2 - 2*nu
+        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
+        unserved += not served
+        factor = 1/(221760*complement) if served else np.nan
+        factor_nu = 221760*factor*factor
+        shear0 = nu*sum0
+        shear0_D33 = nu*sum0_D33
+        shear0_Dr33 = nu*sum0_Dr33
+        shear1 = 4*nu*sum1
+        shear1_D33 = 4*nu*sum1_D33
+        shear1_Dr33 = 4*nu*sum1_Dr33
+        shear1_nu = 4*sum1
+        both = sum0 + sum1
+        both_D33 = sum0_D33 + sum1_D33
+        both_Dr33 = sum0_Dr33 + sum1_Dr33
+        C1111 = factor*(3*complement*sum0 + share*(sum0 + 4*sum1))
+        C1111_D33 = 4*factor*share*sum1_D33 + factor*sum0_D33*(3*complement + share)
+        C1111_Dr33 = 4*factor*share*sum1_Dr33 + factor*sum0_Dr33*(3*complement + share)
+        C1111_nu = -3*factor*sum0 - 2*factor*(sum0 + 4*sum1) + factor_nu*(3*complement*sum0 + share*(sum0 + 4*sum1))
+        C3333 = 8*factor*(complement*sum2 + share*sum1)
+        C3333_D33 = 8*complement*factor*sum2_D33 + 8*factor*share*sum1_D33
+        C3333_Dr33 = 8*complement*factor*sum2_Dr33 + 8*factor*share*sum1_Dr33
+        C3333_nu = -16*factor*sum1 - 8*factor*sum2 + factor_nu*(8*complement*sum2 + 8*share*sum1)
+        C1122 = factor*shear0
+        C1122_D33 = factor*shear0_D33
+        C1122_Dr33 = factor*shear0_Dr33
+        C1122_nu = factor*sum0 + factor_nu*shear0
+        C1133 = factor*shear1
+        C1133_D33 = factor*shear1_D33
+        C1133_Dr33 = factor*shear1_Dr33
+        C1133_nu = factor*shear1_nu + factor_nu*shear1
+        C2323 = factor*(share*(both + 2*sum1 + 2*sum2) + shear1)
+        C2323_D33 = both_D33*factor*share + 2*factor*share*sum1_D33 + 2*factor*share*sum2_D33 + factor*shear1_D33
+        C2323_Dr33 = both_Dr33*factor*share + 2*factor*share*sum1_Dr33 + 2*factor*share*sum2_Dr33 + factor*shear1_Dr33
+        C2323_nu = factor*shear1_nu - 2*factor*(both + 2*sum1 + 2*sum2) + factor_nu*(share*(both + 2*sum1 + 2*sum2) + shear1)
+        C1212 = factor*(2*both*share + shear0)
+        C1212_D33 = 2*both_D33*factor*share + factor*shear0_D33
+        C1212_Dr33 = 2*both_Dr33*factor*share + factor*shear0_Dr33
+        C1212_nu = -4*both*factor + factor*sum0 + factor_nu*(2*both*share + shear0)
+        place = 36*i
+        out[place + 0] = C1111
+        out[place + 1] = C3333
+        out[place + 2] = C1122
+        out[place + 3] = C1133
+        out[place + 4] = C2323
+        out[place + 5] = C1212
+        out[place + 6] = C1111_D33
+        out[place + 7] = C3333_D33
+        out[place + 8] = C1122_D33
+        out[place + 9] = C1133_D33
+        out[place + 10] = C2323_D33
+        out[place + 11] = C1212_D33
+        out[place + 12] = C1111_Dr33
+        out[place + 13] = C3333_Dr33
+        out[place + 14] = C1122_Dr33
+        out[place + 15] = C1133_Dr33
+        out[place + 16] = C2323_Dr33
+        out[place + 17] = C1212_Dr33
+        out[place + 18] = C1111_SR
+        out[place + 19] = C3333_SR
+        out[place + 20] = C1122_SR
+        out[place + 21] = C1133_SR
+        out[place + 22] = C2323_SR
+        out[place + 23] = C1212_SR
+        out[place + 24] = C1111_mu
+        out[place + 25] = C3333_mu
+        out[place + 26] = C1122_mu
+        out[place + 27] = C1133_mu
+        out[place + 28] = C2323_mu
+        out[place + 29] = C1212_mu
+        out[place + 30] = C1111_nu
+        out[place + 31] = C3333_nu
+        out[place + 32] = C1122_nu
+        out[place + 33] = C1133_nu
+        out[place + 34] = C2323_nu
+        out[place + 35] = C1212_nu
+    return unserved
+
+
+def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, out: Array) -> int:
+    """Six components over (M/V) l_e^2 k_n,ref and their slopes, when contacts follow their force without slip.
+
+    Slopes by D33, Dr33, SR, mu and nu, six each; those by mu are zero. Served for 1/9 <= c/a <= 6 with a and
+    c the normal forces at equator and pole.
+
+    Parameters
+    ----------
+    all_D33 : (n,) array [-]
+        P2 coefficient of the contact-normal density.
+    all_Dr33 : (n,) array [-]
+        P2 coefficient of the branch-length weight.
+    all_SR : (n,) array [-]
+        Stress ratio, principal stress along over across axis 3.
+    all_nu : (n,) array [-]
+        Poisson's ratio of the grain material.
+    out : (36 n,) array [-]
+        C1111, C3333, C1122, C1133, C2323, C1212, C1111_D33, C3333_D33, C1122_D33, C1133_D33, C2323_D33,
+        C1212_D33, C1111_Dr33, C3333_Dr33, C1122_Dr33, C1133_Dr33, C2323_Dr33, C1212_Dr33, C1111_SR, C3333_SR,
+        C1122_SR, C1133_SR, C2323_SR, C1212_SR, C1111_mu, C3333_mu, C1122_mu, C1133_mu, C2323_mu, C1212_mu,
+        C1111_nu, C3333_nu, C1122_nu, C1133_nu, C2323_nu, C1212_nu of each element in turn, NaN for those that
+        are not served.
+
+    Returns
+    -------
+    unserved : int
+        How many elements are not served.
+
+    Operations: 794.
+    """
+    third = 1/3
+    fifteenth = 1/15
+    C1111_mu = 0
+    C3333_mu = 0
+    C1122_mu = 0
+    C1133_mu = 0
+    C2323_mu = 0
+    C1212_mu = 0
+    keep_L0 = np.empty(256)
+    keep_L1 = np.empty(256)
+    keep_L2 = np.empty(256)
+    keep_L3 = np.empty(256)
+    keep_L4 = np.empty(256)
+    keep_L5 = np.empty(256)
+    keep_L6 = np.empty(256)
+    keep_S0 = np.empty(256)
+    keep_S0_D33 = np.empty(256)
+    keep_S0_Dr33 = np.empty(256)
+    keep_S1 = np.empty(256)
+    keep_S1_D33 = np.empty(256)
+    keep_S1_Dr33 = np.empty(256)
+    keep_S2 = np.empty(256)
+    keep_S2_D33 = np.empty(256)
+    keep_S2_Dr33 = np.empty(256)
+    keep_S3 = np.empty(256)
+    keep_a = np.empty(256)
+    keep_a_D33 = np.empty(256)
+    keep_a_SR = np.empty(256)
+    keep_c = np.empty(256)
+    keep_c_D33 = np.empty(256)
+    keep_c_SR = np.empty(256)
+    keep_complement = np.empty(256)
+    keep_equator_part = np.empty(256)
+    keep_factor = np.empty(256)
+    keep_forces = np.empty(256)
+    keep_g0 = np.empty(256)
+    keep_g1 = np.empty(256)
+    keep_g2 = np.empty(256)
+    keep_g3 = np.empty(256)
+    keep_g4 = np.empty(256)
+    keep_g5 = np.empty(256)
+    keep_g6 = np.empty(256)
+    keep_level = np.empty(256)
+    keep_omega0_D33 = np.empty(256)
+    keep_omega0_Dr33 = np.empty(256)
+    keep_omega1_D33 = np.empty(256)
+    keep_omega1_Dr33 = np.empty(256)
+    keep_omega2_D33 = np.empty(256)
+    keep_omega2_Dr33 = np.empty(256)
+    keep_omega3_D33 = np.empty(256)
+    keep_omega3_Dr33 = np.empty(256)
+    keep_over_roots = np.empty(256)
+    keep_pole_part = np.empty(256)
+    keep_root_a = np.empty(256)
+    keep_root_c = np.empty(256)
+    keep_share = np.empty(256)
+    keep_v = np.empty(256)
+    unserved = 0
+    for start in range(0, all_D33.size, 256):
+        stop = min(start + 256, all_D33.size)
+        some_D33 = all_D33[start:stop]
+        some_Dr33 = all_Dr33[start:stop]
+        some_SR = all_SR[start:stop]
+        some_nu = all_nu[start:stop]
+        some_out = out[36*start:36*stop]
+        for i in range(stop - start):
+            D33 = some_D33[i]
+            SR = some_SR[i]
+            equator_part = 2*D33 + 5
+            pole_part = SR*(5 - D33)
+            forces = 15/(equator_part*(5 - D33)*(SR + 2))
+            a = equator_part*forces
+            c = forces*pole_part
+            keep_a[i] = a
+            keep_c[i] = c
+            keep_equator_part[i] = equator_part
+            keep_forces[i] = forces
+            keep_pole_part[i] = pole_part
+        for i in range(stop - start):
+            a = keep_a[i]
+            c = keep_c[i]
+            less_a = a - 1
+            less_c = c - 1
+            start_a = -0.09765625
+            start_c = -0.09765625
+            start_a = start_a*less_a + 0.3876953125
+            start_c = start_c*less_c + 0.3876953125
+            start_a = start_a*less_a + -0.45849609375
+            start_c = start_c*less_c + -0.45849609375
+            start_a = start_a*less_a + 0.186279296875
+            start_c = start_c*less_c + 0.186279296875
+            start_a = start_a*less_a + -0.23828125
+            start_c = start_c*less_c + -0.23828125
+            start_a = start_a*less_a + 1.0
+            start_c = start_c*less_c + 1.0
+            squared_a = start_a*start_a
+            squared_c = start_c*start_c
+            rest_a = -a*squared_a*start_a + 1
+            rest_c = -c*squared_c*start_c + 1
+            gain_a = 0.11095869532083524
+            gain_c = 0.11095869532083524
+            gain_a = gain_a*rest_a + 0.12482853223593965
+            gain_c = gain_c*rest_c + 0.12482853223593965
+            gain_a = gain_a*rest_a + 0.1440329218106996
+            gain_c = gain_c*rest_c + 0.1440329218106996
+            gain_a = gain_a*rest_a + 0.1728395061728395
+            gain_c = gain_c*rest_c + 0.1728395061728395
+            gain_a = gain_a*rest_a + 0.2222222222222222
+            gain_c = gain_c*rest_c + 0.2222222222222222
+            gain_a = gain_a*rest_a + 0.3333333333333333
+            gain_c = gain_c*rest_c + 0.3333333333333333
+            inverse_a = gain_a*rest_a*start_a + start_a
+            inverse_c = gain_c*rest_c*start_c + start_c
+            square_a = inverse_a*inverse_a
+            square_c = inverse_c*inverse_c
+            near_a = a*square_a
+            near_c = c*square_c
+            root_a = near_a + square_a*third*(a - near_a*near_a*near_a)
+            root_c = near_c + square_c*third*(c - near_c*near_c*near_c)
+            keep_root_a[i] = root_a
+            keep_root_c[i] = root_c
+        for i in range(stop - start):
+            D33 = some_D33[i]
+            Dr33 = some_Dr33[i]
+            nu = some_nu[i]
+            equator_part = keep_equator_part[i]
+            pole_part = keep_pole_part[i]
+            root_a = keep_root_a[i]
+            root_c = keep_root_c[i]
+            complement = 2 - nu
+            share = 2 - 2*nu
+            roots = root_a + root_c
+            scaled = 221760*complement
+            reciprocal = 1/(roots*scaled)
+            served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
+            unserved += not served
+            factor = reciprocal*roots if served else np.nan
+            over_roots = reciprocal*scaled
+            v = over_roots*(-root_a + root_c)
+            keep_complement[i] = complement
+            keep_factor[i] = factor
+            keep_over_roots[i] = over_roots
+            keep_share[i] = share
+            keep_v[i] = v
+        for i in range(stop - start):
+            over_roots = keep_over_roots[i]
+            v = keep_v[i]
+            level = 4*over_roots*over_roots
+            g0 = 498.2025285515298
+            g0 = g0*v + 820.7933278818413
+            g2 = -3.185153929846088
+            g3 = 1.5459178636473552
+            g5 = -3.1466403407951056
+            g0 = g0*v + 645.9569903342167
+            g1 = 2.818519599421114
+            g2 = g2*v + -0.9498779498028835
+            g3 = g3*v + -2.622519298964307
+            g4 = 4.200302941088526
+            g5 = g5*v + -4.445570227381617
+            g0 = g0*v + 525.9884549944857
+            g1 = g1*v + -4.117024921851465
+            g2 = g2*v + 7.520151919381473
+            g3 = g3*v + -5.538159449690905
+            g4 = g4*v + 0.8168191875213652
+            g5 = g5*v + 5.707596401977305
+            g6 = -8.631238100584213
+            g0 = g0*v + 587.096195817639
+            g1 = g1*v + -10.768883332718913
+            g2 = g2*v + 3.0412733728570065
+            g3 = g3*v + 5.088604488947386
+            g4 = g4*v + -9.481723578829216
+            g5 = g5*v + 8.618815209371748
+            g6 = g6*v + -0.2538817780095012
+            g0 = g0*v + 624.5847541569365
+            g1 = g1*v + 5.962657387992461
+            g2 = g2*v + -12.709473831086397
+            g3 = g3*v + 10.265133583155906
+            g4 = g4*v + -1.1040504919166811
+            g5 = g5*v + -10.880499106638531
+            g6 = g6*v + 19.831040887128975
+            g0 = g0*v + 603.8637369097783
+            g1 = g1*v + 21.712802960907393
+            g2 = g2*v + -7.05950813523337
+            g3 = g3*v + -7.874974923013812
+            g4 = g4*v + 15.871808595613848
+            g5 = g5*v + -12.329360580329318
+            g6 = g6*v + -4.6219412457033044
+            g0 = g0*v + 620.7771342799351
+            g1 = g1*v + -3.73597343499998
+            g2 = g2*v + 18.993899883496553
+            g3 = g3*v + -16.283449286785853
+            g4 = g4*v + 0.20196307795977816
+            g5 = g5*v + 20.388119992119535
+            g6 = g6*v + -33.57047253012832
+            g0 = g0*v + 709.2874919184154
+            g1 = g1*v + -36.704845603520766
+            g2 = g2*v + 14.322272794473227
+            g3 = g3*v + 11.097681983532915
+            g4 = g4*v + -23.91980839832898
+            g5 = g5*v + 14.261996330735153
+            g6 = g6*v + 20.034753317825693
+            g0 = g0*v + 763.7157342164453
+            g1 = g1*v + -6.603302372324879
+            g2 = g2*v + -25.14413326859875
+            g3 = g3*v + 23.70886164632967
+            g4 = g4*v + 2.610756601424082
+            g5 = g5*v + -34.926493645159816
+            g6 = g6*v + 47.531892048629004
+            g0 = g0*v + 694.8324301311233
+            g1 = g1*v + 53.965598134553545
+            g2 = g2*v + -25.76224981786642
+            g3 = g3*v + -14.085631969118571
+            g4 = g4*v + 32.699512940850646
+            g5 = g5*v + -10.474966344984844
+            g6 = g6*v + -53.15704375295891
+            g0 = g0*v + 630.1894415548753
+            g1 = g1*v + 31.9155035587408
+            g2 = g2*v + 27.928993440111345
+            g3 = g3*v + -31.449377839742887
+            g4 = g4*v + -8.13288285121476
+            g5 = g5*v + 52.6704426452616
+            g6 = g6*v + -49.40155795042603
+            g0 = g0*v + 770.3916420191198
+            g1 = g1*v + -62.96017405818026
+            g2 = g2*v + 40.382250954952866
+            g3 = g3*v + 15.67567241905213
+            g4 = g4*v + -39.553670529445974
+            g5 = g5*v + -4.587563200621134
+            g6 = g6*v + 107.35574633544685
+            g0 = g0*v + 1027.7197225366012
+            g1 = g1*v + -74.5109331177692
+            g2 = g2*v + -22.786980601461522
+            g3 = g3*v + 37.27703093764248
+            g4 = g4*v + 16.210373574912754
+            g5 = g5*v + -65.96942940019497
+            g6 = g6*v + 12.07435529573402
+            g0 = g0*v + 1059.536734680609
+            g1 = g1*v + 43.57179376538123
+            g2 = g2*v + -53.20986552574466
+            g3 = g3*v + -14.768371766096525
+            g4 = g4*v + 40.76788151104653
+            g5 = g5*v + 33.41905728806474
+            g6 = g6*v + -163.2453315544091
+            g0 = g0*v + 780.6479510141401
+            g1 = g1*v + 119.82280757145125
+            g2 = g2*v + 7.239126865414743
+            g3 = g3*v + -38.60208537431418
+            g4 = g4*v + -24.52115653486248
+            g5 = g5*v + 60.38790879168576
+            g6 = g6*v + 96.83853584187563
+            g0 = g0*v + 606.9475478586938
+            g1 = g1*v + 25.68561873592048
+            g2 = g2*v + 55.5426102140571
+            g3 = g3*v + 11.244085030950812
+            g4 = g4*v + -33.97330627248665
+            g5 = g5*v + -65.68375493118958
+            g6 = g6*v + 147.95334293967846
+            g0 = g0*v + 971.8123362697286
+            g1 = g1*v + -115.73549257740811
+            g2 = g2*v + 13.565134555866706
+            g3 = g3*v + 34.18591728183356
+            g4 = g4*v + 28.892593474743464
+            g5 = g5*v + -25.108359133178784
+            g6 = g6*v + -255.66682543546608
+            g0 = g0*v + 1728.8586171312295
+            g1 = g1*v + -114.86163372235002
+            g2 = g2*v + -41.90458045566291
+            g3 = g3*v + -6.45741049456395
+            g4 = g4*v + 21.178375803756264
+            g5 = g5*v + 73.84424863062569
+            g6 = g6*v + 57.28697308876897
+            g0 = g0*v + 2247.2398190045274
+            g1 = g1*v + 17.375565610859113
+            g2 = g2*v + -27.22171945701363
+            g3 = g3*v + -25.701357466063186
+            g4 = g4*v + -26.606334841629277
+            g5 = g5*v + -21.85520361990936
+            g6 = g6*v + 256.0859728506816
+            g0 = g0*v + 2047.9999999999998
+            g1 = g1*v + 118.1538461538462
+            g2 = g2*v + 19.69230769230769
+            g3 = g3*v + 2.461538461538464
+            g4 = g4*v + -8.615384615384606
+            g5 = g5*v + -45.230769230769226
+            g6 = g6*v + -390.92307692307685
+            g0 = g0*v + 1181.5384615384614
+            g1 = g1*v + 98.46153846153847
+            g2 = g2*v + 29.53846153846154
+            g3 = g3*v + 18.46153846153846
+            g4 = g4*v + 21.53846153846154
+            g5 = g5*v + 48.46153846153846
+            g6 = g6*v + 266.53846153846155
+            keep_g0[i] = g0
+            keep_g1[i] = g1
+            keep_g2[i] = g2
+            keep_g3[i] = g3
+            keep_g4[i] = g4
+            keep_g5[i] = g5
+            keep_g6[i] = g6
+            keep_level[i] = level
+        for i in range(stop - start):
+            D33 = some_D33[i]
+            SR = some_SR[i]
+            a = keep_a[i]
+            c = keep_c[i]
+            equator_part = keep_equator_part[i]
+            forces = keep_forces[i]
+            g0 = keep_g0[i]
+            g1 = keep_g1[i]
+            g2 = keep_g2[i]
+            g3 = keep_g3[i]
+            g4 = keep_g4[i]
+            g5 = keep_g5[i]
+            g6 = keep_g6[i]
+            level = keep_level[i]
+            L0 = g0*level
+            L1 = g1*level
+            L2 = g2*level
+            L3 = g3*level
+            L4 = g4*level
+            L5 = g5*level
+            L6 = g6*level
+            over_pole = forces*(5 - D33)
+            a_D33 = a*a*fifteenth*(SR + 2)
+            a_SR = -a*equator_part*fifteenth*over_pole
+            c_D33 = -2*c*fifteenth*over_pole*(SR + 2)
+            c_SR = 2*equator_part*fifteenth*over_pole*over_pole
+            keep_L0[i] = L0
+            keep_L1[i] = L1
+            keep_L2[i] = L2
+            keep_L3[i] = L3
+            keep_L4[i] = L4
+            keep_L5[i] = L5
+            keep_L6[i] = L6
+            keep_a_D33[i] = a_D33
+            keep_a_SR[i] = a_SR
+            keep_c_D33[i] = c_D33
+            keep_c_SR[i] = c_SR
+        for i in range(stop - start):
+            D33 = some_D33[i]
+            Dr33 = some_Dr33[i]
+            L0 = keep_L0[i]
+            L1 = keep_L1[i]
+            L2 = keep_L2[i]
+            L3 = keep_L3[i]
+            L4 = keep_L4[i]
+            L5 = keep_L5[i]
+            L6 = keep_L6[i]
+            e0 = 2 - D33
+            e1 = 2*D33 + 2
+            w0 = 2 - Dr33
+            w1 = 2*Dr33 + 2
+            mixed = e0*w1
+            mixed_D33 = -w1
+            mixed_Dr33 = 2*e0
+            mixed_too = e1*w0
+            mixed_too_D33 = 2*w0
+            mixed_too_Dr33 = -e1
+            omega0 = e0*w0*w0
+            omega0_D33 = -w0*w0
+            omega0_Dr33 = -2*e0*w0
+            omega1 = w0*(2*mixed + mixed_too)
+            omega1_D33 = 2*mixed_D33*w0 + mixed_too_D33*w0
+            omega1_Dr33 = -2*mixed + 2*mixed_Dr33*w0 - mixed_too + mixed_too_Dr33*w0
+            omega2 = w1*(mixed + 2*mixed_too)
+            omega2_D33 = mixed_D33*w1 + 2*mixed_too_D33*w1
+            omega2_Dr33 = 2*mixed + mixed_Dr33*w1 + 4*mixed_too + 2*mixed_too_Dr33*w1
+            omega3 = e1*w1*w1
+            omega3_D33 = 2*w1*w1
+            omega3_Dr33 = 4*e1*w1
+            S0 = L0*omega0 + L1*omega1 + L2*omega2 + L3*omega3
+            S0_D33 = L0*omega0_D33 + L1*omega1_D33 + L2*omega2_D33 + L3*omega3_D33
+            S0_Dr33 = L0*omega0_Dr33 + L1*omega1_Dr33 + L2*omega2_Dr33 + L3*omega3_Dr33
+            S1 = L1*omega0 + L2*omega1 + L3*omega2 + L4*omega3
+            S1_D33 = L1*omega0_D33 + L2*omega1_D33 + L3*omega2_D33 + L4*omega3_D33
+            S1_Dr33 = L1*omega0_Dr33 + L2*omega1_Dr33 + L3*omega2_Dr33 + L4*omega3_Dr33
+            S2 = L2*omega0 + L3*omega1 + L4*omega2 + L5*omega3
+            S2_D33 = L2*omega0_D33 + L3*omega1_D33 + L4*omega2_D33 + L5*omega3_D33
+            S2_Dr33 = L2*omega0_Dr33 + L3*omega1_Dr33 + L4*omega2_Dr33 + L5*omega3_Dr33
+            S3 = L3*omega0 + L4*omega1 + L5*omega2 + L6*omega3
+            keep_S0[i] = S0
+            keep_S0_D33[i] = S0_D33
+            keep_S0_Dr33[i] = S0_Dr33
+            keep_S1[i] = S1
+            keep_S1_D33[i] = S1_D33
+            keep_S1_Dr33[i] = S1_Dr33
+            keep_S2[i] = S2
+            keep_S2_D33[i] = S2_D33
+            keep_S2_Dr33[i] = S2_Dr33
+            keep_S3[i] = S3
+            keep_omega0_D33[i] = omega0_D33
+            keep_omega0_Dr33[i] = omega0_Dr33
+            keep_omega1_D33[i] = omega1_D33
+            keep_omega1_Dr33[i] = omega1_Dr33
+            keep_omega2_D33[i] = omega2_D33
+            keep_omega2_Dr33[i] = omega2_Dr33
+            keep_omega3_D33[i] = omega3_D33
+            keep_omega3_Dr33[i] = omega3_Dr33
+        for i in range(stop - start):
+            nu = some_nu[i]
+            L3 = keep_L3[i]
+            L4 = keep_L4[i]
+            L5 = keep_L5[i]
+            L6 = keep_L6[i]
+            S0 = keep_S0[i]
+            S0_D33 = keep_S0_D33[i]
+            S0_Dr33 = keep_S0_Dr33[i]
+            S1 = keep_S1[i]
+            S1_D33 = keep_S1_D33[i]
+            S1_Dr33 = keep_S1_Dr33[i]
+            S2 = keep_S2[i]
+            S2_D33 = keep_S2_D33[i]
+            S2_Dr33 = keep_S2_Dr33[i]
+            S3 = keep_S3[i]
+            a = keep_a[i]
+            a_D33 = keep_a_D33[i]
+            a_SR = keep_a_SR[i]
+            c = keep_c[i]
+            c_D33 = keep_c_D33[i]
+            c_SR = keep_c_SR[i]
+            complement = keep_complement[i]
+            factor = keep_factor[i]
+            omega0_D33 = keep_omega0_D33[i]
+            omega0_Dr33 = keep_omega0_Dr33[i]
+            omega1_D33 = keep_omega1_D33[i]
+            omega1_Dr33 = keep_omega1_Dr33[i]
+            omega2_D33 = keep_omega2_D33[i]
+            omega2_Dr33 = keep_omega2_Dr33[i]
+            omega3_D33 = keep_omega3_D33[i]
+            omega3_Dr33 = keep_omega3_Dr33[i]
+            share = keep_share[i]
+            S3_D33 = L3*omega0_D33 + L4*omega1_D33 + L5*omega2_D33 + L6*omega3_D33
+            S3_Dr33 = L3*omega0_Dr33 + L4*omega1_Dr33 + L5*omega2_Dr33 + L6*omega3_Dr33
+            sum0 = S0*a + S1*c
+            sum0_D33 = S0_D33*a + S1_D33*c + third*(S0*a_D33 + S1*c_D33)
+            sum0_Dr33 = S0_Dr33*a + S1_Dr33*c
+            sum0_SR = third*(S0*a_SR + S1*c_SR)
+            sum1 = S1*a + S2*c
+            sum1_D33 = S1_D33*a + S2_D33*c + third*(S1*a_D33 + S2*c_D33)
+            sum1_Dr33 = S1_Dr33*a + S2_Dr33*c
+            sum1_SR = third*(S1*a_SR + S2*c_SR)
+            sum2 = S2*a + S3*c
+            sum2_D33 = S2_D33*a + S3_D33*c + third*(S2*a_D33 + S3*c_D33)
+            sum2_Dr33 = S2_Dr33*a + S3_Dr33*c
+            sum2_SR = third*(S2*a_SR + S3*c_SR)
+            shear0 = nu*sum0
+            shear0_D33 = nu*sum0_D33
+            shear0_Dr33 = nu*sum0_Dr33
+            shear0_SR = nu*sum0_SR
+            shear1 = 4*nu*sum1
+            shear1_D33 = 4*nu*sum1_D33
+            shear1_Dr33 = 4*nu*sum1_Dr33
+            shear1_SR = 4*nu*sum1_SR
+            shear1_nu = 4*sum1
+            both = sum0 + sum1
+            both_D33 = sum0_D33 + sum1_D33
+            both_Dr33 = sum0_Dr33 + sum1_Dr33
+            both_SR = sum0_SR + sum1_SR
+            C1111 = factor*(3*complement*sum0 + share*(sum0 + 4*sum1))
+            C1111_D33 = 4*factor*share*sum1_D33 + factor*sum0_D33*(3*complement + share)
+            C1111_Dr33 = 4*factor*share*sum1_Dr33 + factor*sum0_Dr33*(3*complement + share)
+            C1111_SR = 4*factor*share*sum1_SR + factor*sum0_SR*(3*complement + share)
+            C1111_nu = 221760*factor*factor*(3*complement*sum0 + share*(sum0 + 4*sum1)) - 3*factor*sum0 - 2*factor*(sum0 + 4*sum1)
+            C3333 = 8*factor*(complement*sum2 + share*sum1)
+            C3333_D33 = 8*complement*factor*sum2_D33 + 8*factor*share*sum1_D33
+            C3333_Dr33 = 8*complement*factor*sum2_Dr33 + 8*factor*share*sum1_Dr33
+            C3333_SR = 8*complement*factor*sum2_SR + 8*factor*share*sum1_SR
+            C3333_nu = 221760*factor*factor*(8*complement*sum2 + 8*share*sum1) - 16*factor*sum1 - 8*factor*sum2
+            C1122 = factor*shear0
+            C1122_D33 = factor*shear0_D33
+            C1122_Dr33 = factor*shear0_Dr33
+            C1122_SR = factor*shear0_SR
+            C1122_nu = 221760*factor*factor*shear0 + factor*sum0
+            C1133 = factor*shear1
+            C1133_D33 = factor*shear1_D33
+            C1133_Dr33 = factor*shear1_Dr33
+            C1133_SR = factor*shear1_SR
+            C1133_nu = 221760*factor*factor*shear1 + factor*shear1_nu
+            C2323 = factor*(share*(both + 2*sum1 + 2*sum2) + shear1)
+            C2323_D33 = both_D33*factor*share + 2*factor*share*sum1_D33 + 2*factor*share*sum2_D33 + factor*shear1_D33
+            C2323_Dr33 = both_Dr33*factor*share + 2*factor*share*sum1_Dr33 + 2*factor*share*sum2_Dr33 + factor*shear1_Dr33
+            C2323_SR = both_SR*factor*share + 2*factor*share*sum1_SR + 2*factor*share*sum2_SR + factor*shear1_SR
+            C2323_nu = 221760*factor*factor*(share*(both + 2*sum1 + 2*sum2) + shear1) + factor*shear1_nu - 2*factor*(both + 2*sum1 + 2*sum2)
+            C1212 = factor*(2*both*share + shear0)
+            C1212_D33 = 2*both_D33*factor*share + factor*shear0_D33
+            C1212_Dr33 = 2*both_Dr33*factor*share + factor*shear0_Dr33
+            C1212_SR = 2*both_SR*factor*share + factor*shear0_SR
+            C1212_nu = -4*both*factor + 221760*factor*factor*(2*both*share + shear0) + factor*sum0
+            place = 36*i
+            some_out[place + 0] = C1111
+            some_out[place + 1] = C3333
+            some_out[place + 2] = C1122
+            some_out[place + 3] = C1133
+            some_out[place + 4] = C2323
+            some_out[place + 5] = C1212
+            some_out[place + 6] = C1111_D33
+            some_out[place + 7] = C3333_D33
+            some_out[place + 8] = C1122_D33
+            some_out[place + 9] = C1133_D33
+            some_out[place + 10] = C2323_D33
+            some_out[place + 11] = C1212_D33
+            some_out[place + 12] = C1111_Dr33
+            some_out[place + 13] = C3333_Dr33
+            some_out[place + 14] = C1122_Dr33
+            some_out[place + 15] = C1133_Dr33
+            some_out[place + 16] = C2323_Dr33
+            some_out[place + 17] = C1212_Dr33
+            some_out[place + 18] = C1111_SR
+            some_out[place + 19] = C3333_SR
+            some_out[place + 20] = C1122_SR
+            some_out[place + 21] = C1133_SR
+            some_out[place + 22] = C2323_SR
+            some_out[place + 23] = C1212_SR
+            some_out[place + 24] = C1111_mu
+            some_out[place + 25] = C3333_mu
+            some_out[place + 26] = C1122_mu
+            some_out[place + 27] = C1133_mu
+            some_out[place + 28] = C2323_mu
+            some_out[place + 29] = C1212_mu
+            some_out[place + 30] = C1111_nu
+            some_out[place + 31] = C3333_nu
+            some_out[place + 32] = C1122_nu
+            some_out[place + 33] = C1133_nu
+            some_out[place + 34] = C2323_nu
+            some_out[place + 35] = C1212_nu
+    return unserved
