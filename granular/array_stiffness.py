@@ -74,7 +74,7 @@ def axial_stiffness(
     rtol : float, optional
         Wanted relative accuracy of every component [-]; refused below the accuracy stated here.
     out : (..., 6) array, optional
-        Where the result is put: float64, of exactly the shape of the result, in any layout; it may overlap the
+        Where the result is put [-]: float64, of exactly the shape of the result, in any layout; it may overlap the
         arguments. After a refusal its contents mean nothing.
     invalid : "raise" or "nan"
         What happens to elements that have no answer: outside their intervals, or without a finite compliance. The

@@ -95,7 +95,8 @@ def with_forces(D33: Array, Dr33: Array, stress_ratio: Array, friction: Array | 
     if friction is not None:
         alike &= friction > 0
     result = np.empty((D33.size, len(COMPONENTS)))
-    result[alike] = with_equal_contacts(D33[alike], Dr33[alike], nu[alike], hypothesis)
+    if alike.any():
+        result[alike] = with_equal_contacts(D33[alike], Dr33[alike], nu[alike], hypothesis)
     rest = ~alike
     if rest.any():
         result[rest] = components(D33[rest], Dr33[rest], stress_ratio[rest],
