@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 from granular.checks.comparison import Comparison
 from granular.checks.force_limit_comparisons import force_limit_comparisons
+from granular.checks.general_comparisons import general_comparisons
 from granular.checks.gradation_comparisons import gradation_comparisons
 from granular.checks.limit_comparisons import limit_comparisons
 from granular.checks.monte_carlo import monte_carlo_comparisons
@@ -22,6 +23,7 @@ SOURCES: dict[str, Callable[[], Iterator[Comparison]]] = {
     "random admissible fabrics, certified on the fly": sample_comparisons,
     "random contact forces, certified on the fly": loaded_comparisons,
     "random spheroids, certified on the fly": spheroid_comparisons,
+    "frames without an axis": general_comparisons,
     "contacts drawn at random": monte_carlo_comparisons,
 }
 """What is compared with what, in the order in which it is shown."""

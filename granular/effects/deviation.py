@@ -7,10 +7,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from granular.effects.bound import Bound, Change, Simulated, largest_change
-from granular.effects.effect import Called, Effect
+from granular.effects.effect import Called, Effect, WithoutAxis
 from granular.effects.ranges import UNCHANGED, Range
 
 if TYPE_CHECKING:
+    from granular.effects.forms import GeneralSimulated
     from granular.fabric import AxialFabric
     from granular.scene import Scene
 
@@ -43,8 +44,14 @@ def _bound(simulated: Simulated) -> Bound:
     return Bound(largest_change(change, simulated), "the largest change of a product of branch components")
 
 
+def _bound_by_tensors(simulated: GeneralSimulated) -> Bound:
+    del simulated  # no scene has a shape without axis 3
+    return Bound(0.0, "branches follow the contact normals")
+
+
 EFFECT = Effect(
     name="deviation", title="angle between branch vector and contact normal", equations="eqs (5) and (6)",
     without="the grains are then taken as spheres", called_for=_called_for, bound=_bound,
     add_to_fabric=_add_to_fabric, excludes=("branches",),
-    modules=("granular.spheroid", "granular.generated.spheroid",))
+    modules=("granular.spheroid", "granular.generated.spheroid",),
+    without_axis=WithoutAxis(called_for=_called_for, bound=_bound_by_tensors))

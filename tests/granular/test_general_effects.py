@@ -209,6 +209,7 @@ def test_a_model_holds_what_its_effects_carry():
     assert model_of(scene, {"kinetic"}).loading.friction is None
     assert model_of(scene, {"kinetic", "slip"}).loading.friction == 0.3
     absent = Scene.model_validate({**content, "packing": {"void_ratio": 0.5744}, "branches": None,
-                                   "model": {"effects": ["packing", "branches"]}})
+                                   "model": {"effects": ["packing", "branches", "deviation"]}})
     assert absent.axis is None
-    assert select(absent).bounds["packing"] == select(absent).bounds["branches"] == 0.0
+    bounds = select(absent).bounds
+    assert bounds["packing"] == bounds["branches"] == bounds["deviation"] == 0.0 < bounds["kinetic"]

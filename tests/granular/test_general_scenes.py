@@ -13,7 +13,14 @@ import pytest
 
 import granular
 from granular.axial_scene import AXIS_3
-from granular.errors import AxisNeeded, ComplianceInfinite, GranularError, RouteOutOfDomain
+from granular.errors import (
+    AxisNeeded,
+    ComplianceInfinite,
+    ConflictingKeys,
+    GranularError,
+    MissingKey,
+    RouteOutOfDomain,
+)
 from granular.fabric import AxialFabric
 from granular.general import general_stiffness
 from granular.planning import plan
@@ -293,6 +300,9 @@ def test_the_friction_that_matters_is_kept():
     (general(), {"rtol": 1e-13}, RouteOutOfDomain, ["rtol = 1e-13 by route sphere", "allowed rtol >= 9.05e-13"]),
     (axial(rotation(3), 0.3, 0.0, 1.0, None), {"rtol": 1e-13}, RouteOutOfDomain, ["allowed rtol > 2.0e-13", "turning"]),
     (axial(rotation(3), 0.3, 0.0, 1.0, None), {"rtol": 2.05e-13}, RouteOutOfDomain, ["rtol = 2.05e-13", "certified"]),
+    (general(stress={"tensor": [[3, 2, 0], [2, 1, 0], [0, 0, 1]]}, model={"effects": ["kinetic"]}), {}, ConflictingKeys,
+     ["kinetic without opening"]),
+    (general(model={"effects": ["kinetic", "slip"]}), {}, MissingKey, ["friction"]),
     (scene(), {"route": "product"}, RouteOutOfDomain, ["route = product with an axis", "sphere"]),
     (general(0.05, model={"hypothesis": "static"}), {}, ComplianceInfinite,
      ["slide along n = (", 'effects = ["packing", "branches", "kinetic"]', "to leave slip out"]),
@@ -376,6 +386,18 @@ def test_the_tilted_deposit_has_one_plane_of_symmetry():
     assert len(odd) == 8
     assert all(abs(found.stiffness.component(name)) <= small for name in odd)
     assert found.symmetry.name == "general"
+
+
+def test_the_check_of_any_frame_notices(monkeypatch):
+    # Breaks when the comparisons of granular check agree whatever a rule or a turn gives.
+    from granular.checks import general_comparisons as part
+
+    honest = list(part.general_comparisons())
+    assert all(comparison.agrees for comparison in honest)
+    assert {comparison.route for comparison in honest} == {"turned", "lebedev", "product"}
+    monkeypatch.setattr(part, "AXIAL", part.AXIAL[:1])
+    monkeypatch.setattr("granular.general.stiffness.rotation_to", lambda axis: np.eye(3))
+    assert not next(part.general_comparisons()).agrees
 
 
 def test_random_tensors_end_in_a_result_or_one_sentence():

@@ -66,8 +66,9 @@ def sizes_and_samples() -> markup.Markup:
         ["cases", "hypothesis", "worst error", "allowed", "in", "where"], lines, label="tab-checks-samples",
         align="llrrll", take_away="checks_samples.csv",
         caption="Moments of the branch lengths of graded grains against certified ones, in units of the last place "
-                "(what the library states is allowed), and the stiffness of evaluated scenes against eq. (1) summed "
-                "over a million contacts drawn at random, in standard errors.")
+                "(what the library states is allowed), scenes in other frames and without an axis against themselves, "
+                "in units of the largest entry, and the stiffness of evaluated scenes against eq. (1) "
+                "summed over a million contacts drawn at random, in standard errors.")
 
 
 def summary() -> markup.Markup:
