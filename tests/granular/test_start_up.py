@@ -61,6 +61,12 @@ def test_commands_load_no_numeric_library(arguments):
     assert not {name.partition(".")[0] for name in loaded(run(*arguments))} & NUMERIC
 
 
+@pytest.mark.parametrize("name", ["table_ii_3.toml", "table_v_2.toml"])
+def test_scenes_about_axis_3_load_nothing_for_tensors(name):
+    # Breaks when what serves scenes without an axis is imported for the others: none of its modules is needed.
+    assert not {module for module in loaded(run("run", SCENES / name)) if module.startswith("granular.general")}
+
+
 def test_an_unusual_unit_loads_pint(tmp_path):
     # Breaks when the list of tests above forbids what a rare unit needs, or pint is never asked.
     path = tmp_path / "scene.toml"
