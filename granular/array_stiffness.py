@@ -81,8 +81,8 @@ def axial_stiffness(
         first is refused by name, place and value; or all of them are NaN in every component, so that
         ``np.isnan(result[..., 0])`` is their mask, and no other element is NaN.
     engine : "numpy" or "compiled", optional
-        How many elements are evaluated; by default compiled where numba is installed and the elements are many. The
-        result has the same bits.
+        How elements are evaluated; by default compiled where numba is installed and this process has had some two
+        million of them, so that the start of the compiler pays. The result has the same bits.
     threads : int, optional
         How many threads share the work [-], >= 1; by default one for each processor that this process may use, if it
         has 2^18 elements to do. The result has the same bits.

@@ -12,8 +12,9 @@ from types import FunctionType
 from granular.batch.kernel import BlockFunction, Kernel
 from granular.errors import UnknownChoice
 
-COMPILE_FROM = 1 << 18
-"""Elements from which loading the compiler pays within one call or few; afterwards every size is compiled."""
+COMPILE_FROM = 1 << 21
+"""Elements, in one call or in all calls so far, from which loading the compiler pays: it takes as long as one to ten
+million elements by NumPy. Afterwards every size is compiled."""
 
 
 class Engine(StrEnum):
@@ -24,6 +25,7 @@ class Engine(StrEnum):
 
 
 _compiled: dict[BlockFunction, BlockFunction] = {}
+_evaluated: dict[BlockFunction, int] = {}
 
 
 def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None) -> Engine:
@@ -41,8 +43,8 @@ def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None)
     Returns
     -------
     Engine
-        The wanted one; otherwise compiled where numba is installed and the elements are many or the kernel has been
-        compiled before in this process.
+        The wanted one; otherwise compiled where numba is installed and this process has had, or now has, many elements
+        for the kernel.
 
     Raises
     ------
@@ -51,7 +53,7 @@ def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None)
 
     Notes
     -----
-    Source: the start of numba takes as long as some ten million elements by NumPy.
+    Elements are counted, so that many calls with few elements are compiled in the end. Source: measured.
 
     Examples
     --------
@@ -62,8 +64,11 @@ def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None)
     engine = engine_named(wanted)
     if engine is not None:
         return engine
-    ready = kernel.loop() in _compiled or (size >= COMPILE_FROM and compiler_installed())
-    return Engine.COMPILED if ready else Engine.NUMPY
+    loop = kernel.loop()
+    if loop in _compiled:
+        return Engine.COMPILED
+    _evaluated[loop] = _evaluated.get(loop, 0) + size
+    return Engine.COMPILED if _evaluated[loop] >= COMPILE_FROM and compiler_installed() else Engine.NUMPY
 
 
 def engine_named(name: Engine | str | None) -> Engine | None:

@@ -184,11 +184,13 @@ def test_readers_give_the_elements_in_order(name):
 
 
 def test_the_compiler_is_taken_for_many_elements_and_then_kept(monkeypatch):
-    # numba loaded for a handful of elements, or the choice forgotten
+    # numba loaded for a handful of elements, or never for many small calls, or the choice forgotten
     monkeypatch.setattr(engines, "_compiled", {})
+    monkeypatch.setattr(engines, "_evaluated", {})
     kernel = constant.KINEMATIC
-    assert choose_engine(kernel, engines.COMPILE_FROM - 1) is Engine.NUMPY
-    assert choose_engine(kernel, engines.COMPILE_FROM) is Engine.COMPILED
+    assert choose_engine(kinetic.KINEMATIC, engines.COMPILE_FROM) is Engine.COMPILED
+    assert choose_engine(kernel, engines.COMPILE_FROM - 5) is Engine.NUMPY
+    assert [choose_engine(kernel, 2) for _ in range(4)] == [Engine.NUMPY] * 2 + [Engine.COMPILED] * 2
     block_function(kernel, Engine.COMPILED)
     assert choose_engine(kernel, 1) is Engine.COMPILED
     assert choose_engine(kernel, 1, "numpy") is Engine.NUMPY
@@ -199,6 +201,7 @@ def test_the_compiler_is_taken_for_many_elements_and_then_kept(monkeypatch):
 def test_without_the_compiler(monkeypatch):
     # an import error instead of the way that is always there
     monkeypatch.setattr(engines, "_compiled", {})
+    monkeypatch.setattr(engines, "_evaluated", {})
     monkeypatch.setitem(sys.modules, "numba", None)
     assert choose_engine(constant.KINEMATIC, 1 << 30) is Engine.NUMPY
     with pytest.raises(UnknownChoice, match=r"without numba.*'numpy'.*granular\[fast\]"):
