@@ -19,7 +19,8 @@ FORBIDDEN = {
 }
 """What the modules of a package may never import, not even inside a function."""
 
-LAZY = {"numpy", "scipy", "matplotlib", "plotly", "pandas", "pint", "flint", "rich", "numba", "dask"}
+LAZY = {"numpy", "scipy", "matplotlib", "plotly", "pandas", "pint", "flint", "rich", "numba", "dask",
+        "distributed", "xarray", "zarr"}
 """What granular may load only inside the one function that needs it, on the way of a single scene."""
 
 ARRAYS_ARE_THEIR_SUBJECT = ("granular/figures/", "granular/generated/", "granular/routes/axial_array.py",

@@ -78,6 +78,7 @@ def sweep_maps(dataset: xr.Dataset, variable: str, *, x: str, y: str, panels: st
         axes.contourf(across, up, heights, levels=levels, cmap=MAP, alpha=0.75)
         lines = axes.contour(across, up, heights, levels=levels, colors=INK, linewidths=0.7)
         axes.clabel(lines, fontsize=8)
+        axes.xaxis.set_major_locator(MaxNLocator(4))
         axes.set(title=str(place), xlabel=_label(dataset, x))
         if axes.get_subplotspec().is_first_col():
             axes.set_ylabel(_label(dataset, y))
@@ -109,13 +110,14 @@ def effects_map(dataset: xr.Dataset, *, x: str, y: str) -> Figure:
     -----
     Source: the dataset.
     """
+    from matplotlib import colormaps
     from matplotlib.colors import ListedColormap
     from matplotlib.patches import Patch
 
     _require(dataset, ("simulated",), (x, y))
     names, kinds = _sets_of_effects(dataset, x, y)
-    colours = ListedColormap([KINDS[kind % len(KINDS)] for kind in range(len(names))])
-    figure = blank(height=3.4)
+    colours = ListedColormap(KINDS[:len(names)]) if len(names) <= len(KINDS) else colormaps[MAP].resampled(len(names))
+    figure = blank(height=4.2)
     axes: Axes = figure.add_subplot()
     axes.grid(False)
     axes.pcolormesh(dataset[x].values, dataset[y].values, kinds, cmap=colours, vmin=-0.5, vmax=len(names) - 0.5,

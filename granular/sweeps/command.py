@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import textwrap
 from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,6 +16,9 @@ if TYPE_CHECKING:
 
 DONE, INTERRUPTED = 0, 130
 """Exit codes."""
+
+COLUMNS = 74
+"""Width of what is printed: what a page of the book shows side by side."""
 
 
 def run_sweep_command(file: str, *, out: Path, invalid: str, workers: str | None, scheduler: str | None,
@@ -89,9 +93,10 @@ def _summary(ran: Ran, out: Path) -> str:
     codes = Counter(code for code in dataset.refusal.values.ravel().tolist() if code)
     refused = [f"  {count} points refused with {code}; their values are empty" for code, count in sorted(codes.items())]
     return "\n".join([
-        f"Wrote {out}: {dataset.refusal.size} points in {ran.chunks} chunks{found}",
+        f"Wrote {out}: {dataset.refusal.size} points in {ran.chunks} {'chunk' if ran.chunks == 1 else 'chunks'}{found}",
         f"  {sizes}",
-        f"  {', '.join(map(str, dataset.data_vars))}", *refused,
+        textwrap.fill(", ".join(map(str, dataset.data_vars)), COLUMNS, initial_indent="  ", subsequent_indent="  "),
+        *refused,
         f'Open it with granular.open_sweep("{out}")', ""])
 
 
