@@ -50,7 +50,7 @@ def with_slopes(assignments: Assignments, variables: Sequence[sp.Symbol], *,
         by = (partials or {}).get(symbol) or {
             free: sp.diff(expression, free) for free in sorted(expression.free_symbols, key=lambda one: str(one.name))}
         for variable in variables:
-            total = sum((derivative * known[free, variable] for free, derivative in by.items()
+            total = sum((_times(derivative, known[free, variable]) for free, derivative in by.items()
                          if (free, variable) in known), ZERO)
             if total == 0:
                 continue
@@ -61,6 +61,14 @@ def with_slopes(assignments: Assignments, variables: Sequence[sp.Symbol], *,
             result.append((name, total))
             known[symbol, variable] = name
     return tuple(result)
+
+
+def _times(derivative: sp.Expr, slope: sp.Expr) -> sp.Expr:
+    """A product in which no fraction stands alone as a summand, so that exact input gives exact output."""
+    terms = sp.Add.make_args(derivative)
+    if any(term.is_Rational and not term.is_Integer for term in terms):
+        return sp.Add(*(term * slope for term in terms))
+    return derivative * slope
 
 
 def slope_of(assignments: Assignments, symbol: sp.Symbol, variable: sp.Symbol) -> sp.Symbol:

@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``gradients``; do not edit.
 Source: (7), (20), (21), (23), Figure 1(b) of Pan & Dong (1999).
 Domain: -1 <= D33 <= 2; -1 < Dr33 < 2; 0 <= nu <= 1/2; a, c > 0: no contact opens; with slip: mu > 0, not exactly at the onset of sliding; the emitted series: 1/9 <= c/a <= 9.
-Operations: 3200 (316 in the outputs as derived).
+Operations: 3205 (316 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -265,7 +265,7 @@ def kinematic_constant_gradient(
     C2323_nu : float [-]
     C1212_nu : float [-]
 
-    Operations: 252.
+    Operations: 254.
     """
     e0 = 1 - D33/2
     e1 = D33 + 1
@@ -306,8 +306,8 @@ def kinematic_constant_gradient(
     one_minus_lam = nu/(2 - nu)
     one_minus_lam_nu = 2/((2 - nu)**2)
     C1111 = lam*(p0/8 + p1/2) + 3*p0/8
-    C1111_D33 = lam*p1_D33/2 + p0_D33*(lam/8 + 3/8)
-    C1111_Dr33 = lam*p1_Dr33/2 + p0_Dr33*(lam/8 + 3/8)
+    C1111_D33 = lam*p0_D33/8 + lam*p1_D33/2 + 3*p0_D33/8
+    C1111_Dr33 = lam*p0_Dr33/8 + lam*p1_Dr33/2 + 3*p0_Dr33/8
     C1111_nu = lam_nu*(p0/8 + p1/2)
     C3333 = lam*p1 + p2
     C3333_D33 = lam*p1_D33 + p2_D33
@@ -396,7 +396,7 @@ def kinematic_kinetic_gradient(
     C2323_nu : float [-]
     C1212_nu : float [-]
 
-    Operations: 379.
+    Operations: 382.
     """
     e0 = 1 - D33/2
     e1 = D33 + 1
@@ -449,9 +449,9 @@ def kinematic_kinetic_gradient(
     one_minus_lam = nu/(2 - nu)
     one_minus_lam_nu = 2/((2 - nu)**2)
     C1111 = lam*(p0/8 + p1/2) + 3*p0/8
-    C1111_D33 = lam*p1_D33/2 + p0_D33*(lam/8 + 3/8)
-    C1111_Dr33 = lam*p1_Dr33/2 + p0_Dr33*(lam/8 + 3/8)
-    C1111_SR = lam*p1_SR/2 + p0_SR*(lam/8 + 3/8)
+    C1111_D33 = lam*p0_D33/8 + lam*p1_D33/2 + 3*p0_D33/8
+    C1111_Dr33 = lam*p0_Dr33/8 + lam*p1_Dr33/2 + 3*p0_Dr33/8
+    C1111_SR = lam*p0_SR/8 + lam*p1_SR/2 + 3*p0_SR/8
     C1111_nu = lam_nu*(p0/8 + p1/2)
     C3333 = lam*p1 + p2
     C3333_D33 = lam*p1_D33 + p2_D33
