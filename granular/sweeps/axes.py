@@ -72,7 +72,8 @@ def read_axis(field_name: str, given: object, *, place: str, distinct: bool) -> 
     field_name : str
         Name of the field, such as ``stress.ratio``.
     given : sequence, mapping or array
-        Values as in a scene file; or a range with ``start``, ``stop``, ``num`` and, unless it is linear, ``spacing``.
+        Values as in a scene file [SI]; or a range with ``start``, ``stop``, ``num`` and, unless it is linear,
+        ``spacing``.
     place : str
         Where they stand, for messages.
     distinct : bool
