@@ -24,7 +24,7 @@ WATCHED = (
     "derivations/**/*",
     "book/_data/**/*",
     "book/_ext/**/*.py",
-    "book/_formulas/*.md",
+    "book/_formulas/*",
     "constraints.txt",
 )
 

@@ -20,6 +20,7 @@ from derivations.emit.gauss import gauss_module
 from derivations.emit.module import operations_before
 from derivations.emit.panels import panel_module
 from derivations.emit.scalar import scalar_module
+from derivations.emit.steps import steps_entry
 from derivations.record import Derivation
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -40,8 +41,8 @@ def fingerprint(record: Derivation) -> str:
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
-def emitted_of(name: str) -> tuple[dict[str, str], dict[str, object]]:
-    """Texts that one derivation emits, by path, and its entry in the index."""
+def emitted_of(name: str) -> tuple[dict[str, str], dict[str, object], dict[str, object]]:
+    """Texts that one derivation emits, by path, and its entries in the index and in the list of steps."""
     record = derivation(name)
     files = {}
     if record.functions:
@@ -58,7 +59,7 @@ def emitted_of(name: str) -> tuple[dict[str, str], dict[str, object]]:
         "operations_before": operations_before(record),
         "operations_after": sum(f.operations() for f in record.functions),
         "files": sorted(files),
-    }
+    }, steps_entry(record)
 
 
 def emitted_files(processes: int = 1) -> dict[str, str]:
@@ -76,11 +77,12 @@ def emitted_files(processes: int = 1) -> dict[str, str]:
             gauss = nodes.result()
     files = {f"{GENERATED}/__init__.py": PACKAGE, f"{GENERATED}/gauss_legendre.py": gauss,
              f"{GENERATED}/panel_rows.py": panel_module()}
-    index = {}
-    for name, (texts, entry) in zip(names(), emitted, strict=True):
+    index, steps = {}, {}
+    for name, (texts, entry, about_steps) in zip(names(), emitted, strict=True):
         files.update(texts)
-        index[name] = entry
+        index[name], steps[name] = entry, about_steps
     files[f"{GENERATED}/index.json"] = json.dumps(index, indent=1, ensure_ascii=False, sort_keys=True) + "\n"
+    files[f"{FORMULAS}/steps.json"] = json.dumps(steps, indent=1, ensure_ascii=False) + "\n"
     return dict(sorted(files.items()))
 
 
