@@ -5,25 +5,35 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING, Any
 
-from granular.batch.engines import compiler_installed
+from granular.speed import contact_lists, effects, questions
 from granular.speed.errors_met import FEW, worst_error
 from granular.speed.interleaved import Way
 from granular.speed.limit import moved
-from granular.speed.sample import FRICTION, POISSON, Sample, sample
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
-
-RTOL = 1e-12
-"""Accuracy that is asked of partial slip [-]."""
+from granular.speed.questions import Question
+from granular.speed.sample import POISSON, sample
+from granular.speed.ways import engines, results, slopes, values
 
 PER_ITEM = 200
 """Elements that slow ways do in one call [-]."""
+
+LARGE, CONTACTS = 10**6, 10**7
+"""Elements, or contacts, of a comparison [-]."""
+
+SLOW = 20_000
+"""Elements of a comparison whose ways sum over directions for each of them [-]."""
+
+BY_NUMPY = 2**18
+"""Elements of partial slip by NumPy [-]: fewer have no table for every friction."""
+
+SIZES = (1, 10, 100, 1000, 10**4, 10**5, 10**6, 10**7)
+"""Elements for the picture of time against number [-]."""
+
+MOST_BY_NUMPY = 10**6
+"""Elements from which on slip is not computed by NumPy for that picture [-]: it would take minutes."""
+
+MET = "worst met against ball arithmetic"
+"""What the error of a comparison is unless it says otherwise."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,92 +46,68 @@ class Comparison:
         Name on the command line.
     title : str
         What is done.
-    goal : str
-        What is aimed at, in words.
     ways : callable
         The ways for a number of elements; raises ModuleNotFoundError where another package is not installed.
+    sizes : tuple of int
+        Numbers of elements for which it is made [-].
+    each : str
+        What an element is.
+    errors : str
+        What the errors beside the times are.
+    rounds : int or None
+        Most rounds [-]; None leaves it to the command.
     """
 
     name: str
     title: str
-    goal: str
     ways: Callable[[int], list[Way]]
+    sizes: tuple[int, ...] = (LARGE,)
+    each: str = "assembly"
+    errors: str = MET
+    rounds: int | None = None
 
 
-def _results(size: int) -> Array:
-    import numpy as np
-
-    return np.ones((size, 6))
-
-
-def stiffness(drawn: Sample, what: str, **options: Any) -> Callable[[], object]:
-    """A call of ``axial_stiffness`` on a sample.
-
-    Parameters
-    ----------
-    drawn : Sample
-        The assemblies.
-    what : str
-        "constant", "kinetic", "slip" (one friction), or "slip, any friction".
-    **options
-        Passed on: ``out``, ``engine``, ``threads``, ``hypothesis``.
-
-    Returns
-    -------
-    callable
-        Does it.
-
-    Examples
-    --------
-    >>> stiffness(sample(3), "constant")().shape
-    (3, 6)
-    """
-    from granular.array_stiffness import axial_stiffness
-
-    friction: Any = {"slip": FRICTION, "slip, any friction": drawn.friction}.get(what)
-    rtol = RTOL if friction is not None else None
-    return partial(axial_stiffness, drawn.D33, drawn.Dr33, drawn.stress_ratio, friction, POISSON,
-                   kinetic=what != "constant", rtol=rtol, **options)
+def _against_limit(question: Question, name: str, wanted: float, size: int) -> list[Way]:
+    drawn, out = sample(size), results(size)
+    read = (drawn.D33, drawn.Dr33, drawn.stress_ratio) if question.kinetic else (drawn.D33, drawn.Dr33)
+    return [Way(name="moving the same arrays", elements=size, call=moved(read, out)),
+            *(values(f"{name}, {engine}", question, drawn, out=out, engine=engine, threads=1,
+                     wanted=wanted if engine == "compiled" and size == LARGE else None) for engine in engines())]
 
 
-def _way(name: str, drawn: Sample, what: str, **options: Any) -> Way:
-    """A way of this package, with the error that it makes; too few elements are not looked at."""
-    size, call = drawn.D33.size, stiffness(drawn, what, **options)
-    return Way(name=name, elements=size, call=call, error=partial(worst_error, what, call) if size >= FEW else None)
+def _slip_against_limit(size: int) -> list[Way]:
+    drawn, out = sample(size), results(size)
+    able = engines() if size <= MOST_BY_NUMPY else engines()[:1]
+    return [Way(name="moving the same arrays", elements=size,
+                call=moved((drawn.D33, drawn.Dr33, drawn.stress_ratio), out)),
+            *(values(f"slip, {engine}", questions.SLIP, drawn, out=out, engine=engine, threads=1) for engine in able)]
 
 
-def _engines() -> tuple[str, ...]:
-    return ("compiled", "numpy") if compiler_installed() else ("numpy",)
+def _slip(engine: str, size: int) -> list[Way]:
+    drawn, out = sample(size), results(size)
+    asked = (("kinetic", questions.KINETIC, None), ("slip, one friction", questions.SLIP, 2.5),
+             ("slip, a friction each", questions.SLIP_EACH, 6.0))
+    return [values(name, question, drawn, out=out, engine=engine, threads=1, wanted=wanted)
+            for name, question, wanted in asked]
 
 
-def _against_limit(what: str, size: int) -> list[Way]:
-    drawn, out = sample(size), _results(size)
-    inputs = (drawn.D33, drawn.Dr33) if what == "constant" else (drawn.D33, drawn.Dr33, drawn.stress_ratio)
-    return [Way(name="moving the same arrays", elements=size, call=moved(inputs, out)),
-            *(_way(f"{what}, {engine}", drawn, what, out=out, engine=engine, threads=1) for engine in _engines())]
+def _threads(question: Question, size: int) -> list[Way]:
+    drawn, out = sample(size), results(size)
+    return [values(f"{count} thread{'' if count == 1 else 's'}", question, drawn, out=out, threads=count,
+                   wanted=None if count == 1 else 0.6) for count in (1, 2)]
 
 
-def _slip(size: int) -> list[Way]:
-    drawn, out = sample(size), _results(size)
-    return [_way(f"{what}, {engine}", drawn, what, out=out, engine=engine, threads=1)
-            for engine in _engines()[:1] for what in ("kinetic", "slip", "slip, any friction")]
-
-
-def _threads(size: int) -> list[Way]:
-    drawn, out = sample(size), _results(size)
-    return [_way(f"kinetic, {count} thread{'' if count == 1 else 's'}", drawn, "kinetic", out=out, threads=count)
-            for count in (1, 2)]
-
-
-def _slopes(what: str, size: int) -> list[Way]:
-    from granular.derivatives import axial_gradient
-
+def _slopes(question: Question, engine: str, size: int) -> list[Way]:
     drawn = sample(size)
-    friction: Any = FRICTION if what == "slip" else None
-    return [_way(f"{what}, values", drawn, what, engine="numpy", threads=1),
-            Way(name=f"{what}, values and slopes", elements=size,
-                call=partial(axial_gradient, drawn.D33, drawn.Dr33, drawn.stress_ratio, friction, POISSON,
-                             kinetic=what != "constant"))]
+    return [values("values", question, drawn, engine=engine, threads=1),
+            slopes("values and slopes", question, drawn, engine=engine, threads=1, wanted=4.0)]
+
+
+def _slopes_with_slip(size: int) -> list[Way]:
+    drawn = sample(size)
+    return [values("values, full precision", questions.SLIP_FULL, drawn, threads=1),
+            slopes("values and slopes", questions.SLIP_FULL, drawn, threads=1, wanted=4.0),
+            values("values to 1e-12, from tables", questions.SLIP, drawn, threads=1)]
 
 
 def _per_item(size: int) -> list[Way]:
@@ -142,11 +128,11 @@ def _per_item(size: int) -> list[Way]:
             1 + Dr * (1.5 * x * x - 0.5)) ** 2 * w(x * x), 0.0, 1.0, epsabs=0.0, epsrel=1e-10)[0]
             for weight in _weights()] for D33, Dr33 in pairs]
 
-    return [_way("constant, all at once", drawn, "constant", threads=1),
+    return [values("constant, all at once", questions.CONSTANT, drawn, threads=1),
             Way(name="closed form, one a call", elements=len(pairs), call=closed,
-                error=partial(worst_error, "constant", closed) if enough else None),
+                error=partial(worst_error, questions.CONSTANT, closed) if enough else None),
             Way(name="scipy.integrate.quad, one a call", elements=len(pairs), call=adaptive,
-                error=partial(worst_error, "constant", adaptive) if enough else None)]
+                error=partial(worst_error, questions.CONSTANT, adaptive) if enough else None)]
 
 
 def _weights() -> tuple[Callable[[float], float], ...]:
@@ -172,7 +158,8 @@ def _stress_induced(size: int) -> list[Way]:
     from granular.speed.peers.rock_physics import anisotropic
 
     drawn = sample(size)
-    return [*(_way(f"this package, {what}, all at once", drawn, what, threads=1) for what in ("kinetic", "slip")),
+    return [values("this package, kinetic, all at once", questions.KINETIC, drawn, threads=1),
+            values("this package, slip, all at once", questions.SLIP, drawn, threads=1),
             anisotropic(min(size, PER_ITEM))]
 
 
@@ -195,21 +182,38 @@ def catalogue() -> Iterator[Comparison]:
     >>> next(catalogue()).name
     'constant'
     """
-    yield Comparison(name="constant", title="contacts of equal stiffness",
-                     goal="at most 1.15 times moving the same arrays", ways=partial(_against_limit, "constant"))
-    yield Comparison(name="kinetic", title="contact stiffness by the force in each direction",
-                     goal="at most 4.5 times moving the same arrays", ways=partial(_against_limit, "kinetic"))
-    yield Comparison(name="slip", title="partial slip and sliding beside the kinetic fabric",
-                     goal="at most 2.5 times kinetic with one friction, 6 times with one for each element", ways=_slip)
-    yield Comparison(name="threads", title="two threads beside one", goal="half the time where two cores are idle",
-                     ways=_threads)
-    for what in ("constant", "kinetic", "slip"):
-        yield Comparison(name=f"slopes-{what}", title=f"slopes beside values, {what}",
-                         goal="at most 4 times the values", ways=partial(_slopes, what))
-    yield Comparison(name="per-item", title="one at a time beside all at once", goal="", ways=_per_item)
-    yield Comparison(name="moduli", title="isotropic moduli under many pressures", goal="", ways=_moduli)
-    yield Comparison(name="stress-induced", title="stress-induced anisotropy of sphere packs", goal="",
-                     ways=_stress_induced)
+    yield Comparison(name="constant", title="contacts of equal stiffness", sizes=SIZES,
+                     ways=partial(_against_limit, questions.CONSTANT, "constant", 1.15))
+    yield Comparison(name="kinetic", title="contact stiffness by the force in each direction", sizes=SIZES,
+                     ways=partial(_against_limit, questions.KINETIC, "kinetic", 4.5))
+    yield Comparison(name="slip", title="partial slip and sliding, one friction", sizes=SIZES,
+                     ways=_slip_against_limit)
+    for engine, size in (("compiled", LARGE), ("numpy", BY_NUMPY)):
+        yield Comparison(name=f"slip-{engine}", title=f"partial slip beside the kinetic fabric, {engine}",
+                         ways=partial(_slip, engine), sizes=(size,))
+    for name, question in (("constant", questions.CONSTANT), ("kinetic", questions.KINETIC), ("slip", questions.SLIP)):
+        yield Comparison(name=f"threads-{name}", title=f"two threads beside one, {name}",
+                         ways=partial(_threads, question))
+    differences = "values as before; slopes against differences of ball arithmetic"
+    for name, question in (("constant", questions.CONSTANT), ("kinetic", questions.KINETIC)):
+        for engine in ("compiled", "numpy"):
+            yield Comparison(name=f"slopes-{name}-{engine}", title=f"slopes beside values, {name}, {engine}",
+                             ways=partial(_slopes, question, engine), errors=differences)
+    yield Comparison(name="slopes-slip", title="slopes beside values, slip", ways=_slopes_with_slip, sizes=(SLOW,),
+                     errors=differences)
+    yield Comparison(name="effects", title="effect after effect, many assemblies at once", ways=effects.arrays)
+    yield Comparison(name="scenes", title="effect after effect, one scene at a time", ways=effects.scenes, sizes=(1,),
+                     each="scene", errors="the bound that the result states")
+    yield Comparison(name="contacts", title="sum of eq. (1) over a contact list in memory", ways=contact_lists.sums,
+                     sizes=(CONTACTS,), each="contact", errors="distance of the two sums")
+    yield Comparison(name="parquet", title="summary of a contact list in a Parquet file", each="contact",
+                     ways=contact_lists.streamed, sizes=(CONTACTS,), errors="", rounds=1)
+    yield Comparison(name="per-item", title="one assembly after the other beside all at once", ways=_per_item)
+    yield Comparison(name="moduli", title="isotropic moduli under many pressures", ways=_moduli, each="pressure",
+                     errors="against the formula in floats, at the first pressure")
+    yield Comparison(name="stress-induced", title="stress-induced anisotropy of sphere packs", ways=_stress_induced,
+                     errors=f"{MET}; of the other package against its own formulas")
     for degree in (11, 41, 131):
         yield Comparison(name=f"orientations-{degree}", title=f"mean over the directions of Lebedev's rule of degree "
-                         f"{degree}", goal="", ways=partial(_orientations, degree))
+                         f"{degree}", ways=partial(_orientations, degree), sizes=(1,), each="direction",
+                         errors="against the closed form")

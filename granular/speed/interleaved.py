@@ -12,6 +12,15 @@ from dataclasses import dataclass
 SHORTEST = 2e-3
 """A timing repeats its call until it takes about this long [s], far above the resolution of the clock."""
 
+LONGEST = 20.0
+"""What the rounds of one comparison may take in all [s], as long as there are ``FEWEST`` of them."""
+
+FEWEST = 3
+"""Rounds of a comparison that takes long [-]."""
+
+LONG = 1.0
+"""A call whose first time was longer [s] is not tried once more before it is timed."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Way:
@@ -27,12 +36,21 @@ class Way:
         Does them.
     error : callable or None
         Worst relative error of what it gives [-]; None where there is nothing to compare with.
+    wanted : float or None
+        Bound that is aimed at for the time of an element over that of the first way [-].
+    memory : callable or None
+        Most memory beside what is given to it, over the size of that [-].
+    memory_wanted : float or None
+        Bound that is aimed at for it [-].
     """
 
     name: str
     elements: int
     call: Callable[[], object]
     error: Callable[[], float] | None = None
+    wanted: float | None = None
+    memory: Callable[[], float] | None = None
+    memory_wanted: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,6 +75,8 @@ class Measured:
         How often it was timed [-].
     error : float or None
         Worst relative error [-], where it was looked for.
+    wanted, memory, memory_wanted : float or None
+        As in :class:`Way` [-].
     """
 
     name: str
@@ -67,9 +87,19 @@ class Measured:
     nanoseconds: float
     rounds: int
     error: float | None = None
+    wanted: float | None = None
+    memory: float | None = None
+    memory_wanted: float | None = None
+
+    @property
+    def met(self) -> bool | None:
+        """Whether every bound that is aimed at is met; None where there is none."""
+        judged = [(self.ratio, self.wanted), (self.memory, self.memory_wanted)]
+        kept = [value <= bound for value, bound in judged if value is not None and bound is not None]
+        return all(kept) if kept else None
 
 
-def measure(ways: Sequence[Way], *, rounds: int, advanced: Callable[[], None] = lambda: None) -> list[Measured]:
+def measure(ways: Sequence[Way], *, rounds: int) -> list[Measured]:
     """Time ways side by side; the first one is what the others are compared with.
 
     Parameters
@@ -77,9 +107,8 @@ def measure(ways: Sequence[Way], *, rounds: int, advanced: Callable[[], None] = 
     ways : sequence of Way
         At least one.
     rounds : int
-        How often each is timed [-], > 0.
-    advanced : callable
-        Told after each round.
+        How often each is timed [-], > 0; less often where that would take more than ``LONGEST``, but ``FEWEST``
+        times at least.
 
     Returns
     -------
@@ -98,10 +127,13 @@ def measure(ways: Sequence[Way], *, rounds: int, advanced: Callable[[], None] = 
     >>> same.ratio, twice.ratio < 1
     (1.0, True)
     """
-    repeats = []
+    repeats, round_takes = [], 0.0
     for way in ways:
-        way.call()
-        repeats.append(max(1, math.ceil(SHORTEST / _time(way.call, 1))))
+        first = _time(way.call, 1)
+        once = first if first > LONG else _time(way.call, 1)
+        repeats.append(max(1, math.ceil(SHORTEST / once)))
+        round_takes += once * repeats[-1]
+    rounds = min(rounds, max(FEWEST, int(LONGEST / round_takes)))
     times: list[list[float]] = [[] for _ in ways]
     rng = random.Random(1999)
     order = list(range(len(ways)))
@@ -109,7 +141,6 @@ def measure(ways: Sequence[Way], *, rounds: int, advanced: Callable[[], None] = 
         rng.shuffle(order)
         for place in order:
             times[place].append(_time(ways[place].call, repeats[place]) / ways[place].elements)
-        advanced()
     return [_measured(way, own, times[0]) for way, own in zip(ways, times, strict=True)]
 
 
@@ -119,7 +150,8 @@ def _measured(way: Way, own: Sequence[float], base: Sequence[float]) -> Measured
     quartiles = statistics.quantiles(ratios, n=4) if len(ratios) > 1 else [ratio] * 3
     return Measured(name=way.name, elements=way.elements, ratio=ratio, least=min(own) / min(base),
                     spread=(quartiles[2] - quartiles[0]) / 2 / ratio, nanoseconds=statistics.median(own) * 1e9,
-                    rounds=len(own), error=None if way.error is None else way.error())
+                    rounds=len(own), error=None if way.error is None else way.error(), wanted=way.wanted,
+                    memory=None if way.memory is None else way.memory(), memory_wanted=way.memory_wanted)
 
 
 def _time(call: Callable[[], object], repeats: int) -> float:

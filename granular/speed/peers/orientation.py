@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from granular.speed.interleaved import Way
 from granular.speed.sample import POISSON
@@ -53,8 +55,18 @@ def average(degree: int, D33: float = 0.3) -> tuple[Way, Way]:
         turned = StiffnessTensor(contact, check_positive_definite=False) * turns
         return (turned.matrix() * share[:, None, None]).sum(axis=0)
 
-    return (Way(name="this package, 21 sums", elements=n.shape[1], call=lambda: by_sums(n, share)),
-            Way(name="Elasticipy, rotate and average", elements=n.shape[1], call=theirs))
+    def error(call: Callable[[], Any], twice: float) -> float:
+        from granular.array_stiffness import axial_stiffness
+
+        c1111, c3333, _, c1133, c2323, _ = axial_stiffness(D33, 0.0, poisson_ratio=POISSON, kinetic=False).tolist()
+        matrix = call()
+        places = (((0, 0), c1111), ((2, 2), c3333), ((0, 2), c1133), ((3, 3), twice * c2323))
+        return max(float(abs(matrix[place] / known - 1)) for place, known in places)
+
+    ours = partial(by_sums, n, share)
+    return (Way(name="this package, 21 sums", elements=n.shape[1], call=ours, error=partial(error, ours, 2.0)),
+            Way(name="Elasticipy, rotate and average", elements=n.shape[1], call=theirs,
+                error=partial(error, theirs, 1.0)))
 
 
 def by_sums(n: Array, share: Array) -> Array:
