@@ -231,7 +231,7 @@ def _described(problem: Problem, found: tuple[Minimum, ...]) -> Fit:
         estimates=estimates, factors=factors, covariance=covariance, correlation=correlation,
         chi_square=best.chi_square, degrees_of_freedom=freedom,
         p_value=float(chi2.sf(best.chi_square, freedom)) if freedom else None,
-        residuals=_residuals(problem, residuals), combinations=_combinations(problem, slopes, best.unknowns[:count]),
+        residuals=_residuals(problem, residuals), combinations=combinations_at(problem, best.unknowns),
         others=tuple({**dict(zip(problem.unknowns, other.unknowns[:count].tolist(), strict=True)),
                       "chi_square": other.chi_square}
                      for other in found[1:] if other.chi_square - best.chi_square < NEARLY),
@@ -256,8 +256,27 @@ def _residuals(problem: Problem, residuals: Array) -> tuple[Residual, ...]:
         for one, left in zip(problem.data.measurements, residuals, strict=True))
 
 
-def _combinations(problem: Problem, slopes: Array, values: Array) -> tuple[Combination, ...]:
-    """Singular directions of the slopes by the unknowns, what the factors can do taken out."""
+def combinations_at(problem: Problem, unknowns: Array) -> tuple[Combination, ...]:
+    """What the data of a problem would see of its unknowns at given values: an experiment can be judged beforehand.
+
+    Parameters
+    ----------
+    problem : Problem
+        Measurements with their uncertainties.
+    unknowns : (size,) array
+        Unknowns, then logarithms of the factors [-].
+
+    Returns
+    -------
+    tuple of Combination
+        Singular directions of the slopes by the unknowns, what the factors can do taken out; the best known first.
+
+    Notes
+    -----
+    Source: singular values of the scaled slopes.
+    """
+    _, slopes = problem.residuals(unknowns)
+    values = unknowns[:len(problem.unknowns)]
     count = len(problem.unknowns)
     of_unknowns, of_factors = slopes[:, :count], slopes[:, count:]
     if of_factors.size:

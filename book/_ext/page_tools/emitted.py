@@ -12,7 +12,8 @@ PAGE_OF = {"fabric": "fabric", "fabric_kinds": "fabric_tensors", "equations": "k
            "static_three": "static", "isotropic": "kinematic", "engineering": "engineering", "waves": "waves",
            "contact_forces": "forces", "mohr_circle": "sliding", "kinetic_components": "kinetic", "kinetic": "kinetic",
            "kinetic_limits": "kinetic_limits", "partial_slip": "partial_slip", "gradation": "gradation",
-           "spheroid": "shape", "general_constant": "general_fabric"}
+           "spheroid": "shape", "general_constant": "general_fabric", "gradients": "fit",
+           "first_order_fabric": "fit"}
 """The page that shows each derivation with its steps."""
 
 

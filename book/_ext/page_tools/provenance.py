@@ -22,6 +22,7 @@ DATA_FILES = {
     "_data/table_i.csv": "printed sizes and spreads of Table I",
     "_data/sand.csv": "sieve curve made up for the page on grain sizes",
     "_data/sand.toml": "scene with that curve",
+    "_data/fit_sand.toml": "wave speeds made up for the page on fits",
     "_data/length_times.json": "measured times of branch lengths",
     "_data/cost.json": "measured times and errors of every way of computing",
     "_data/promises.json": "results at four wanted accuracies, held against certified values",
