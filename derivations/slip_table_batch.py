@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import sympy as sp
@@ -59,7 +60,7 @@ def component_function() -> Function:
 def batch() -> tuple[BatchFunction, ...]:
     """What is emitted for batches."""
     kinetic, = batch_kinetic.batch()
-    return (BatchFunction(state_function(), kinetic.serves, factor),)
+    return (replace(kinetic, function=state_function()),)
 
 
 def components_step() -> Step:

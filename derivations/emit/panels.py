@@ -9,7 +9,7 @@ from __future__ import annotations
 TOGETHER = 3
 """Polynomials in one loop."""
 
-SIZES = (6, 9, 12, 14)
+SIZES = (4, 7, 10, 12, 14)
 """Numbers of coefficients for which a loop is emitted."""
 
 HEADER = '''\

@@ -23,12 +23,12 @@ INTEGRALS = 6
 KNOWN = 5
 """Numbers that ``slip_state`` gives for each element: three sums, their factor, and the contrast."""
 
-ZONE = 1 / 16
+ZONE = 1 / 64
 """Margin to sliding up to which the part that is not smooth at the onset is taken out of a table.
 
 Farther before the onset it would be many times as large as what it is taken from."""
 
-ZONE_BITS = 1023 - 4
+ZONE_BITS = 1023 - 6
 """Exponent of ``ZONE`` as it stands in a double."""
 
 DELICATE = 1 / 128
@@ -48,18 +48,18 @@ COLUMNS = 8
 
 COLUMN_WIDTH = (CONTRASTS[1] - CONTRASTS[0]) / COLUMNS
 
-BEFORE = 4
+BEFORE = 6
 """Octaves from the zone up to where there is no shear force."""
 
-OCTAVES = 10
+OCTAVES = 12
 """Octaves of the margin where friction varies: up to kappa = 65, where friction is below 0.02 at the end of the
 domain."""
 
-TERMS = 14
-"""Coefficients of a polynomial for one friction, in quarters of octaves: less than 2^-53 of the value is left out."""
+TERMS = 12
+"""Coefficients of a polynomial for one friction, in quarters of octaves: at most 4e-14 of the value is left out."""
 
-ROWS = (14, 14, 14, 12, 12, 12, 9, 9, 9, 6, 6, 6)
-"""Powers of the margin that go with each power of the contrast, in halves of octaves: some 1e-13 is left out."""
+ROWS = (14, 14, 12, 12, 12, 10, 10, 7, 7, 4, 4)
+"""Powers of the margin that go with each power of the contrast, in halves of octaves: some 1e-13 of the value is left out."""
 
 HALVES, QUARTERS = 51, 50
 """Bits of a double behind those that tell halves and quarters of octaves apart."""

@@ -25,7 +25,7 @@ from granular.batch.slip_layout import (
 )
 from granular.batch.slip_share import HELPERS as OF_SHARES
 from granular.batch.slip_steps import in_order, shares, sort_by_panel, take_onset_out, write_components
-from granular.generated.panel_rows import add_row_6, add_row_9, add_row_12, add_row_14
+from granular.generated.panel_rows import add_row_4, add_row_7, add_row_10, add_row_12, add_row_14
 from granular.generated.slip_table_array import onset_part, slip_components
 from granular.generated.slip_table_loop import slip_state
 
@@ -34,8 +34,9 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-CHUNK = 1 << 13
-"""Elements that are sorted together: enough for each panel, and what is known of them stays near the processor."""
+CHUNK, CHUNK_VARIES = 1 << 14, 1 << 15
+"""Elements that are sorted together with one friction and with friction that varies: some hundred for each panel,
+and what is known of them stays near the processor."""
 
 
 def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array, friction: Array,
@@ -62,14 +63,15 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
     """
     varies = coefficients.shape[2] != TERMS
     side, bits = (middle.size // (2 * COLUMNS), HALVES) if varies else (middle.size // 4, QUARTERS)
-    unserved, most = 0, min(CHUNK, D33.size)
+    chunk = CHUNK_VARIES if varies else CHUNK
+    unserved, most = 0, min(chunk, D33.size)
     room = most + ALIGNED * min(most, middle.size)
     all_state, all_kappa, all_margin = np.empty(KNOWN * most), np.empty(most), np.empty(most)
     all_panel, all_where = np.empty(most, dtype=np.int64), np.empty(most, dtype=np.int64)
     variable, other, start = np.zeros(room), np.zeros(room), np.zeros(middle.size + 1, dtype=np.int64)
     across, lost, lost_here = np.zeros(most), np.zeros((INTEGRALS, room)), np.zeros((INTEGRALS, most))
-    for begin in range(0, D33.size, CHUNK):
-        end = min(begin + CHUNK, D33.size)
+    for begin in range(0, D33.size, chunk):
+        end = min(begin + chunk, D33.size)
         size = end - begin
         d, dr, ratio, nu = D33[begin:end], Dr33[begin:end], stress_ratio[begin:end], poisson_ratio[begin:end]
         state, kappa, margin = all_state[:KNOWN * size], all_kappa[:size], all_margin[:size]
@@ -90,7 +92,6 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
         for i in range(size):
             variable[where[i]] = (abs(margin[i]) - middle[panel[i]]) * narrowness[panel[i]]
             other[where[i]] = across[i]
-        lost[:, :start[-1]] = 0.0
         for one in range(middle.size):
             first, last = start[one], start[one + 1]
             if first == last:
@@ -98,10 +99,11 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
             for k in range(0, INTEGRALS, 3):
                 rows, x, y = coefficients[one, k:k + 3], variable[first:last], other[first:last]
                 v0, v1, v2 = lost[k, first:last], lost[k + 1, first:last], lost[k + 2, first:last]
+                v0[:] = v1[:] = v2[:] = 0.0
                 if varies:
                     add_rows(rows, x, y, v0, v1, v2)
                 else:
-                    add_row_14(rows, 0, x, y, v0, v1, v2)
+                    add_row_12(rows, 0, x, y, v0, v1, v2)
         in_order(lost, where, kappa, lost_here)
         take_onset_out(margin, state, lost_here)
         unserved += write_components(d, dr, nu, state, lost_here, out[6 * begin:6 * end])
@@ -124,17 +126,19 @@ def add_rows(rows: Array, variable: Array, other: Array, v0: Array, v1: Array, v
     -----
     Source: the table.
     """
-    for row in range(3):
-        add_row_6(rows, 6 * row, variable, other, v0, v1, v2)
-    for row in range(3):
-        add_row_9(rows, 18 + 9 * row, variable, other, v0, v1, v2)
-    for row in range(3):
-        add_row_12(rows, 45 + 12 * row, variable, other, v0, v1, v2)
-    for row in range(3):
-        add_row_14(rows, 81 + 14 * row, variable, other, v0, v1, v2)
+    for at in (0, 4):
+        add_row_4(rows, at, variable, other, v0, v1, v2)
+    for at in (8, 15):
+        add_row_7(rows, at, variable, other, v0, v1, v2)
+    for at in (22, 32):
+        add_row_10(rows, at, variable, other, v0, v1, v2)
+    for at in (42, 54, 66):
+        add_row_12(rows, at, variable, other, v0, v1, v2)
+    for at in (78, 92):
+        add_row_14(rows, at, variable, other, v0, v1, v2)
 
 
 HELPERS: tuple[Callable[..., object], ...] = (
-    *OF_SHARES, onset_part, slip_components, slip_state, add_row_6, add_row_9, add_row_12, add_row_14, shares,
-    margin_panels, sort_by_panel, in_order, take_onset_out, write_components, add_rows)
+    *OF_SHARES, onset_part, slip_components, slip_state, add_row_4, add_row_7, add_row_10, add_row_12, add_row_14,
+    shares, margin_panels, sort_by_panel, in_order, take_onset_out, write_components, add_rows)
 """What a compiler has to know before it compiles a loop."""
