@@ -126,7 +126,7 @@ def sweep(
     ...         "stress": {"mean": "28 kPa"}}
     >>> dataset = sweep(base, grid={"packing.contact_normals.D33": [0.0, 0.3]}, outputs=["ratios"])
     >>> [round(value, 4) for value in dataset.C1111_over_C3333.values.tolist()]
-    [1.0, 0.8575]
+    [1.0, 0.8552]
     """
     if isinstance(scene, Sweep | str | os.PathLike):
         if grid is not None or together is not None or outputs is not None or chunk is not None:

@@ -34,7 +34,7 @@ WEAK = {"grains": {"shear_modulus": "31 GPa", "poisson_ratio": 0.21, "friction_a
 """A scene that is nearly isotropic, for the map of effects."""
 
 EFFECT_GRID = {D33: {"start": 1e-10, "stop": 1.0, "num": 21, "spacing": "log"},
-               RTOL: {"start": 1e-9, "stop": 1e-1, "num": 17, "spacing": "log"}}
+               RTOL: {"start": 1e-9, "stop": 1e-1, "num": 9, "spacing": "log"}}
 
 
 @cache
