@@ -23,7 +23,7 @@ LAZY = {"numpy", "scipy", "matplotlib", "plotly", "pandas", "pint", "flint", "ri
         "distributed", "xarray", "zarr"}
 """What granular may load only inside the one function that needs it, on the way of a single scene."""
 
-ARRAYS_ARE_THEIR_SUBJECT = ("granular/figures/", "granular/generated/", "granular/fitting/",
+ARRAYS_ARE_THEIR_SUBJECT = ("granular/batch/slip_", "granular/figures/", "granular/generated/", "granular/fitting/",
                             "granular/derivatives/integrals.py", "granular/derivatives/rows.py",
                             "granular/derivatives/slip.py", "granular/routes/axial_array.py",
                             "granular/routes/axial_kinetic_array.py", "granular/routes/expansions.py",

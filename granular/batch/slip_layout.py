@@ -59,7 +59,7 @@ TERMS = 12
 """Coefficients of a polynomial for one friction, in quarters of octaves: at most 4e-14 of the value is left out."""
 
 ROWS = (14, 14, 12, 12, 12, 10, 10, 7, 7, 4, 4)
-"""Powers of the margin that go with each power of the contrast, in halves of octaves: some 1e-13 of the value is left out."""
+"""Powers of the margin that go with each power of the contrast, in halves of octaves: 2e-13 is left out."""
 
 HALVES, QUARTERS = 51, 50
 """Bits of a double behind those that tell halves and quarters of octaves apart."""
@@ -112,7 +112,7 @@ def intervals(octaves: int, parts: int) -> list[tuple[float, float]]:
     Examples
     --------
     >>> intervals(1, 2)
-    [(0.0, 0.0625), (0.0625, 0.09375), (0.09375, 0.125), (0.125, inf)]
+    [(0.0, 0.015625), (0.015625, 0.0234375), (0.0234375, 0.03125), (0.03125, inf)]
     """
     found = [(0.0, ZONE)]
     for octave in range(octaves):

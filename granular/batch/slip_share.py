@@ -92,8 +92,8 @@ def friction_used(D33: Value, stress_ratio: Value, friction: Value) -> tuple[Val
 
     Examples
     --------
-    >>> friction_used(0.0, 4.0, 0.75)
-    (1.0, 0.0)
+    >>> [float(value) for value in friction_used(0.0, 4.0, 0.75)]
+    [1.0, 0.0]
     """
     along, along_rest = exact_sum(5.0 + 0.0 * D33, -D33)
     across, across_rest = exact_sum(5.0 + 0.0 * D33, 2.0 * D33)

@@ -65,7 +65,7 @@ def octaves_for(friction: float) -> int:
     Examples
     --------
     >>> octaves_for(0.2), octaves_for(5.0)
-    (7, 5)
+    (9, 7)
     """
     most = max(_kappa_at(end, friction) for end in CONTRASTS) - 1
     return max(BEFORE + 1, math.ceil(math.log2(max(most, ZONE) / ZONE)))
@@ -91,7 +91,8 @@ def friction_table(friction: float) -> Table:
 
     Notes
     -----
-    Accuracy: 4e-14 of a value. Source: interpolation of :func:`granular.batch.slip_nodes.smooth_values` at Chebyshev nodes.
+    Accuracy: 4e-14 of a value. Source: interpolation of :func:`granular.batch.slip_nodes.smooth_values` at Chebyshev
+    nodes.
     """
     side = np.array(intervals(octaves_for(friction), 4))
     first, last, signs, directions = [], [], [], []
