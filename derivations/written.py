@@ -7,7 +7,7 @@ import re
 _NO_SYMBOLS = re.compile(r"\\(?:text|mathrm|operatorname)\{(?!SR|kin|sta)[^{}]*\}|\\[dD]elta_\{[ijklp]+\}")
 """What looks like symbols and is none: words, operators, Kronecker's delta."""
 _BRACED = re.compile(r"\^\{(\\[a-z]+|\w)\}")
-_NOT_BEFORE = r"(?<![a-zA-Z\\])(?<!\\tilde )(?<!\\bar )(?<!\\bar)(?<!\\tilde)(?<!\\mathrm d)(?<!\\mathrm d )"
+_NOT_BEFORE = r"(?<![a-zA-Z\\])(?<!\\tilde )(?<!\\bar )(?<!\\bar)(?<!\\tilde)(?<!\\mathrm )"
 _NOT_BEHIND = r"(?![a-zA-Z_']|\^\\circ|\^\{\(|\^r)"
 
 

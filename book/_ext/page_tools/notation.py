@@ -1,10 +1,9 @@
-"""Tables of the notation, from the records that derivations and programs use."""
+"""The two Voigt orders, from the record that programs use."""
 
 from __future__ import annotations
 
-from derivations.symbols import GLOSSARY
 from granular.notation import ORDERS
-from page_tools.markup import Markup, plain, table
+from page_tools.markup import Markup, table
 
 SHEAR_PLACES = (3, 4, 5)
 
@@ -17,11 +16,3 @@ def voigt_orders() -> Markup:
         rows.append([f"`{name}`", " ".join(f"{i}{j}" for i, j in pairs), *shear])
     return table(["order", "index pairs", "$C_{44}$", "$C_{55}$", "$C_{66}$"], rows, label="tab-orders",
                  caption="The two Voigt orders. `standard` is the default; `paper` is that of Pan & Dong (1999).")
-
-
-def symbols() -> Markup:
-    """Every declared symbol with its unit, domain and meaning."""
-    rows = [[f"${quantity.latex}$", plain(quantity.meaning), plain(quantity.unit), plain(quantity.domain)]
-            for quantity in GLOSSARY]
-    return table(["symbol", "meaning", "unit", "values"], rows, label="tab-symbols",
-                 caption="Symbols of the derivations.")
