@@ -7,8 +7,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from granular.axial_scene import AXIS_3
 from granular.effects import CATALOGUE as EFFECTS
-from granular.errors import MissingKey
+from granular.errors import AxisNeeded, MissingKey
 from granular.ratios import PAIRS
 from granular.report import MEANING
 from granular.routes.result import COMPONENTS
@@ -80,6 +81,9 @@ class Output:
 
 
 def _six(result: Evaluation) -> Sequence[object]:
+    if result.axis != AXIS_3:
+        raise AxisNeeded("outputs = stiffness for a scene that is not symmetric about axis 3",
+                         allowed="allowed its six components only there", remedy='Write outputs = ["mandel"].')
     return [result.stiffness.component(name) for name in COMPONENTS]
 
 

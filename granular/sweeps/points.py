@@ -9,7 +9,16 @@ from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
-from granular.errors import FileUnreadable, GranularError, MissingKey, NotToml, UnknownKey, WrongType, found_at
+from granular.errors import (
+    AxisNeeded,
+    FileUnreadable,
+    GranularError,
+    MissingKey,
+    NotToml,
+    UnknownKey,
+    WrongType,
+    found_at,
+)
 from granular.scene import Scene
 from granular.sweeps.scene_fields import table_types
 from granular.table import Table
@@ -109,7 +118,7 @@ class SceneBuilder:
         return self._built[key]
 
 
-MISTAKES = (UnknownKey, MissingKey, WrongType, FileUnreadable, NotToml)
+MISTAKES = (UnknownKey, MissingKey, WrongType, FileUnreadable, NotToml, AxisNeeded)
 """Refusals that speak of the sweep itself: no point of it escapes them, and none becomes a gap."""
 
 

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 import granular
 from granular.array_stiffness import RELATIVE_ERROR
 from granular.errors import (
+    AxisNeeded,
     BadOption,
     ComplianceInfinite,
     ConflictingKeys,
@@ -240,3 +241,16 @@ def test_a_large_sweep_is_one_that_says_so():
     sweep.require_size(large=True)
     with pytest.raises(SweepTooLarge, match=r"1,002,000 points \(2000 x 501\)"):
         sweep.require_size(large=False)
+
+
+def test_a_scene_without_an_axis_keeps_all_its_constants_or_is_refused():
+    """Six components of a stiffness that has more, or gaps in their place, would be a loss in silence."""
+    tilted = BASE | {"packing": {"void_ratio": 0.5744, "contact_normals": {
+        "tensor": [[0.125, 0, 0.375], [0, -0.25, 0], [0.375, 0, 0.125]]}},
+        "stress": {"tensor": [[21e3, 0, 0], [0, 21e3, 0], [0, 0, 42e3]]}, "model": {"rtol": 1e-4}}
+    grid = {"grains.friction_coefficient": [0.3]}
+    tilted["grains"] = {key: value for key, value in BASE["grains"].items() if key != "friction_angle"}
+    with pytest.raises(AxisNeeded, match="mandel"):
+        granular.sweep(tilted, grid=grid, invalid="nan")
+    kept = granular.sweep(tilted, grid=grid, outputs=["mandel"])
+    assert abs(kept.mandel.values[0, 0, 4]) > 1e-3 * kept.mandel.values[0, 0, 0]
