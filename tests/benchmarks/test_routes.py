@@ -11,10 +11,9 @@ import numpy as np
 import pytest
 import quadpy
 
-from granular import cost
 from granular.fabric import AxialFabric
 from granular.hypothesis import Hypothesis
-from granular.routes import axial, axial_array, certified, sphere
+from granular.routes import axial, certified, sphere
 
 pytestmark = pytest.mark.benchmark
 
@@ -37,11 +36,6 @@ def side_by_side(calls: dict[str, Callable[[], object]], rounds: int = 9) -> dic
         for name, value in times.items():
             observed[name].append(value / first)
     return {name: statistics.median(values) for name, values in observed.items()}
-
-
-def test_all_routes() -> None:
-    """The table of ``granular cost``, with its machine; fails only when a route does."""
-    assert cost.run_cost(rounds=9) == 0
 
 
 def test_spherical_rules_of_two_libraries() -> None:
@@ -69,17 +63,3 @@ def test_spherical_rules_of_two_libraries() -> None:
         print(f"{name:14} {ratio:8.2f} x axial 28   error {errors.get(name, own):.1e}")
     in_order = list(errors.values())
     assert all(later < earlier or later < 1e-13 for earlier, later in pairwise(in_order))
-
-
-def test_arrays_against_single_fabrics() -> None:
-    """Time per fabric of the array twin over that of the scalar route, mild and strong fabrics."""
-    rng = np.random.default_rng(1)
-    count = 20_000
-    print()
-    for name, low, high in (("mild", -0.5, 0.9), ("any", -0.999, 1.999)):
-        D33, Dr33 = rng.uniform(-1, 2, count), rng.uniform(low, high, count)
-        axial_array.static_moments(D33[:100], Dr33[:100])
-        single = seconds(lambda: axial.evaluate(FABRIC, poisson_ratio=0.21, hypothesis=Hypothesis.STATIC))
-        together = seconds(lambda a=D33, b=Dr33: axial_array.components(a, b, 0.21, hypothesis=Hypothesis.STATIC), 3)
-        print(f"{name:5} one of {count}: 1/{single / (together / count):.0f} of a single call")
-        assert np.isfinite(axial_array.components(D33, Dr33, 0.21, hypothesis=Hypothesis.STATIC)).all()
