@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from granular.figures.cost_pareto import size
 from granular.figures.look import (
     BLUE,
     GREEN,
@@ -187,10 +188,10 @@ def effect_costs(row: Row) -> Figure:
     axes.barh(places, [time * unit for time in times], color=kinds, height=0.62)
     for place, way in zip(places, row.ways, strict=True):
         error = "" if way.error is None else f"   error {way.error:.0e}".replace("e-0", "e-").replace("-", "−")
-        axes.annotate(f"{way.nanoseconds * unit:,.3g}{error}", (way.nanoseconds * unit, place), xytext=(4, 0),
+        axes.annotate(f"{size(way.nanoseconds * unit)}{error}", (way.nanoseconds * unit, place), xytext=(4, 0),
                       textcoords="offset points", va="center", fontsize=8.5, color=INK)
     axes.set(yticks=places, yticklabels=[way.name for way in row.ways], xscale="log",
-             xlim=(min(times) * unit / 3, max(times) * unit * 60),
+             xlim=(min(times) * unit / 3, max(times) * unit * 200),
              xlabel=f"time of one {row.each} [{'ns' if unit == 1 else 'µs'}]")
     axes.invert_yaxis()
     axes.grid(visible=False, axis="y")

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-FEW = 40
+FEW = 24
 """Elements of a sample that are held against ball arithmetic [-]: its first ones."""
 
 FEW_SLOPES = 6

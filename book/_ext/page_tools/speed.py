@@ -13,6 +13,7 @@ from granular.speed.comparisons import MET, catalogue
 from granular.speed.interleaved import Measured
 from granular.speed.peers.rock_physics import first_integral, misplaced_bracket
 from granular.speed.store import Row, Study, read
+from page_tools.cost_tables import STYLE
 from page_tools.cost_words import capital, short
 from page_tools.markup import Described, Markup, plain, table
 
@@ -72,24 +73,23 @@ def _figure(picture: bytes, name: str, alt: str, caption: str) -> Markup:
 def wanted() -> Markup:
     """List every bound that is aimed at beside what was measured, whether it is met or not."""
     rows = [line for row in measured().rows for way in row.ways for line in _judged(row, way)]
-    heads = ["what", "way", "over", "at most", "measured", "least", "error", "met"]
-    return table(heads, rows, label="tab-speed-wanted", align="lllrrrrl", take_away="speed.csv", look="dense",
+    grid = table(["comparison", "at most", "measured", "least", "error", "met"], rows, label="tab-speed-wanted",
+                 align="lrrrrl", take_away="speed.csv", look="dense",
                  caption="Bounds that are aimed at, and what was measured. A ratio is the median over the rounds of "
                          "the time of an element over that of the other way in the same round; beside it the least "
                          "time over the least, which other load disturbs less. Memory is the most beside what is "
-                         "given.")
+                         "given, over the size of that.")
+    return Markup(f"{STYLE}\n\n{grid.text}")
 
 
 def _judged(row: Row, way: Measured) -> list[list[str]]:
-    other, error = row.ways[0].name, short(way.error)
-    found = []
+    where, error, found = f"`{row.name}`, {_count(row.size)}", short(way.error), []
     if way.wanted is not None:
-        found.append([f"{row.title}, {_count(row.size)}", way.name, other, f"{way.wanted:g}", size(way.ratio),
+        found.append([f"{way.name}, over {row.ways[0].name}<br>{where}", f"{way.wanted:g}", size(way.ratio),
                       size(way.least), error, _verdict(way.ratio <= way.wanted)])
     if way.memory is not None and way.memory_wanted is not None:
-        given = "the file" if "Parquet" in row.title else "its arrays"
-        found.append([f"{row.title}, {_count(row.size)}", f"{way.name}: memory", given, f"{way.memory_wanted:g}",
-                      f"{way.memory:.2g}", "", error, _verdict(way.memory <= way.memory_wanted)])
+        found.append([f"{way.name}: memory<br>{where}", f"{way.memory_wanted:g}", f"{way.memory:.2g}", "–", error,
+                      _verdict(way.memory <= way.memory_wanted)])
     return found
 
 
@@ -98,11 +98,13 @@ def _verdict(met: bool) -> str:
 
 
 def met() -> Markup:
-    """Say how many of them are met, and name those that are not."""
-    lines = [line for row in measured().rows for way in row.ways for line in _judged(row, way)]
-    missed = [f"{line[0]}, {line[1]} ({line[4]} where {line[3]} is wanted)" for line in lines if line[-1] != "yes"]
-    first = f"{len(lines) - len(missed)} of {len(lines)} bounds are met in the stored run."
-    return Markup(f"{first} Not met: {'; '.join(missed)}." if missed else first)
+    """Say how many of them are met, and name the comparisons that have one which is not."""
+    judged = [(row.name, line) for row in measured().rows for way in row.ways for line in _judged(row, way)]
+    missed = [name for name, line in judged if line[-1] != _verdict(met=True)]
+    first = f"{len(judged) - len(missed)} of {len(judged)} bounds are met in the stored run."
+    names = ", ".join(f"`{name}`" for name in dict.fromkeys(missed))
+    load = measured().machine.get("load", "–")
+    return Markup(f"{first} Not met in {names}. The load of the machine was {load} when it began." if missed else first)
 
 
 def peers() -> Markup:
@@ -157,10 +159,10 @@ def machine() -> Markup:
     about = dict(study.machine)
     processor, cores, system, load = (about.pop(name, "–") for name in ("processor", "cores", "system", "load"))
     packages = ", ".join(f"{name} {version}" for name, version in about.items())
-    spreads = sorted(way.spread for row in study.rows for way in row.ways[1:])
+    spreads = sorted(100 * way.spread for row in study.rows for way in row.ways[1:])
     return Markup(f"Measured on {processor}, {cores} cores, {system}, with {packages}, in {study.rounds} rounds or "
                   f"fewer. The load was {load} when it began. The spread of the ratios, half the distance of their "
-                  f"quartiles over them, is {100 * spreads[len(spreads) // 2]:.0f} % in the median and {100 * spreads[-1]:.0f} % "
+                  f"quartiles over them, is {spreads[len(spreads) // 2]:.0f} % in the median and {spreads[-1]:.0f} % "
                   f"at most.\n\n```console\n$ {study.command} --out book/_data/speed.json\n```\n")
 
 
