@@ -105,7 +105,7 @@ def _is_tested(entry: Entry) -> bool:
 
 
 def _file(entry: Entry) -> str:
-    return entry.tested.partition("::")[0].removeprefix("granular/")
+    return entry.tested.partition("::")[0].removeprefix("granular/").removesuffix(".py")
 
 
 def _place(entry: Entry) -> str:
