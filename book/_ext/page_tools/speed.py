@@ -116,15 +116,11 @@ def peers() -> Markup:
                          _time(way.nanoseconds), short(way.error)])
     note = "; ".join(f"{row.title}: {row.errors}" for name in PEERS for row in measured().of(name)
                      if row.errors != MET and name not in PEERS[-2:])
-    return table(["question", "way", "time over ours", "each", "error"], rows, label="tab-speed-peers",
+    grid = table(["question", "way", "time over ours", "each", "error"], rows, label="tab-speed-peers",
                  align="llrrr", take_away="peers.csv", look="dense",
                  caption=f"Other ways to the same numbers. Errors are the {MET}, except: {note}.")
-
-
-def absent() -> Markup:
-    """Name what could not be measured, and why."""
-    reasons = [f"{row.title}: {row.failure}" for row in measured().rows if row.failure]
-    return Markup("Not measured: " + "; ".join(reasons) + "." if reasons else "")
+    absent = [f"{row.title}: {row.failure}" for row in measured().rows if row.failure]
+    return Markup(f"{grid.text}\n\nNot measured: {'; '.join(absent)}.\n") if absent else grid
 
 
 def agreements() -> Markup:
