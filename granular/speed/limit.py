@@ -19,9 +19,9 @@ def moved(inputs: tuple[Array, ...], out: Array) -> Callable[[], object]:
     Parameters
     ----------
     inputs : tuple of 2 to 4 (n,) arrays
-        What is read.
+        What is read [-].
     out : (n, 6) array
-        What is written, one element after another.
+        What is written, one element after another [-].
 
     Returns
     -------
