@@ -92,11 +92,10 @@ class Measured:
     memory_wanted: float | None = None
 
     @property
-    def met(self) -> bool | None:
-        """Whether every bound that is aimed at is met; None where there is none."""
-        judged = [(self.ratio, self.wanted), (self.memory, self.memory_wanted)]
-        kept = [value <= bound for value, bound in judged if value is not None and bound is not None]
-        return all(kept) if kept else None
+    def verdicts(self) -> tuple[bool, ...]:
+        """For each bound that is aimed at, of time and of memory, whether it is met."""
+        judged = ((self.ratio, self.wanted), (self.memory, self.memory_wanted))
+        return tuple(value <= bound for value, bound in judged if value is not None and bound is not None)
 
 
 def measure(ways: Sequence[Way], *, rounds: int) -> list[Measured]:

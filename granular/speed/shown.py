@@ -42,7 +42,7 @@ def show(study: Study) -> None:
             console.print(f"  error: {row.errors}")
         console.print(f"  {row.failure}\n" if row.failure else _table(row))
     _others(study, console)
-    judged = [way.met for row in study.rows for way in row.ways if way.met is not None]
+    judged = [met for row in study.rows for way in row.ways for met in way.verdicts]
     if judged:
         console.print(f"{sum(judged)} of {len(judged)} bounds that are aimed at are met in this run.")
     about = dict(study.machine)

@@ -114,13 +114,15 @@ def test_bounds_are_those_that_are_aimed_at() -> None:
 
 
 def test_a_bound_is_met_or_not() -> None:
-    """A memory that is left out of the verdict, or a verdict without a bound, breaks this."""
-    def met(ratio: float, wanted: float | None, memory: float | None = None, most: float | None = None) -> bool | None:
+    """A memory that is left out of the verdicts, or a verdict without a bound, breaks this."""
+    def verdicts(ratio: float, wanted: float | None, memory: float | None = None,
+                 most: float | None = None) -> tuple[bool, ...]:
         return Measured(name="a", elements=1, ratio=ratio, least=1, spread=0, nanoseconds=1, rounds=1, wanted=wanted,
-                        memory=memory, memory_wanted=most).met
+                        memory=memory, memory_wanted=most).verdicts
 
-    assert [met(1.0, 1.15), met(1.2, 1.15), met(1.0, None)] == [True, False, None]
-    assert [met(9.0, None, 0.1, 0.2), met(1.0, 1.15, 0.3, 0.2), met(1.0, None, None, 0.2)] == [True, False, None]
+    assert [verdicts(1.0, 1.15), verdicts(1.2, 1.15), verdicts(1.0, None)] == [(True,), (False,), ()]
+    assert [verdicts(9.0, None, 0.1, 0.2), verdicts(1.0, 1.15, 0.3, 0.2)] == [(True,), (True, False)]
+    assert verdicts(1.0, None, None, 0.2) == ()
 
 
 def test_sums_over_contacts_are_one() -> None:
@@ -199,7 +201,7 @@ def test_a_study_is_read_as_it_was_written(tmp_path: Path, capsys: pytest.Captur
     assert "b, 3 assemblies" in shown
     assert "1.25" in shown
     assert "1.15" in shown
-    assert "0 of 1 bounds that are aimed at are met" in shown
+    assert "1 of 2 bounds that are aimed at are met" in shown
 
 
 def test_refusals(tmp_path: Path) -> None:
