@@ -9,6 +9,9 @@ from derivations.emit.scalar import scalar_module
 from derivations.record import Derivation, Step
 from derivations.symbols import GLOSSARY, describe, latex
 
+LONGEST = 2000
+"""Characters of an output that is still shown as text [-]."""
+
 
 def text(record: Derivation) -> str:
     """Return a derivation as plain text, every step checked."""
@@ -25,8 +28,15 @@ def text(record: Derivation) -> str:
         lines += ["", f"{number}. {step.title}   [{verdict(step)}]", f"   {step.because.replace('$', '')}"]
         lines += [f"     {formula}" for formula in step.shown]
     lines += ["", "Outputs"]
-    lines += [f"  {output.name} [{output.unit}] = {output.expression}" for output in record.outputs]
+    lines += [f"  {output.name} [{output.unit}] = {_readable(str(output.expression))}" for output in record.outputs]
     return "\n".join(lines)
+
+
+def _readable(expression: str) -> str:
+    """An expression that a person can read; one of many lines is left to the other formats."""
+    if len(expression) <= LONGEST:
+        return expression
+    return f"... ({len(expression):,} characters; --format python shows how it is computed)"
 
 
 def latex_lines(record: Derivation) -> str:

@@ -138,8 +138,8 @@ def reading(value: object, kind: Quantity) -> tuple[float, float]:
     --------
     >>> reading("412 +- 4 m/s", quantity("Vs_vh"))
     (412.0, 4.0)
-    >>> reading({"value": 0.8, "uncertainty": "5 %"}, quantity("C1111/C3333"))
-    (0.8, 0.04)
+    >>> reading({"value": 0.5, "uncertainty": "50 %"}, quantity("C1111/C3333"))
+    (0.5, 0.25)
     """
     given, uncertain = _parts(value, kind.name)
     size = _size(given, kind, kind.name, unit_of=uncertain)

@@ -13,7 +13,7 @@ PAGE_OF = {"fabric": "fabric", "fabric_kinds": "fabric_tensors", "equations": "k
            "contact_forces": "forces", "mohr_circle": "sliding", "kinetic_components": "kinetic", "kinetic": "kinetic",
            "kinetic_limits": "kinetic_limits", "partial_slip": "partial_slip", "gradation": "gradation",
            "spheroid": "shape", "general_constant": "general_fabric", "gradients": "fit",
-           "first_order_fabric": "fit"}
+           "first_order_fabric": "fit", "slip_table": "partial_slip"}
 """The page that shows each derivation with its steps."""
 
 

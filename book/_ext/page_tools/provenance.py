@@ -29,6 +29,8 @@ DATA_FILES = {
     "_data/promises.json": "results at four wanted accuracies, held against certified values",
     "_data/choices.json": "measured times of the route that a plan chose and of all others",
     "_data/nearly_isotropic.toml": "scene of a soil that is nearly isotropic",
+    "_data/tilted_fabric.toml": "scene of a tilted deposit, without an axis",
+    "_data/sweep.toml": "sweep of the page on sweeps",
     "_data/dem.json": "sums, model and probes of packings from a discrete-element program",
 }
 
