@@ -72,7 +72,8 @@ class Question:
         """
         friction = {Friction.NONE: None, Friction.ONE: FRICTION, Friction.EACH: drawn.friction,
                     Friction.STICKING: STICKING}[self.friction]
-        return (drawn.D33, drawn.Dr33 if self.branches else 0.0, drawn.stress_ratio, friction, POISSON)
+        ratio = drawn.stress_ratio if self.kinetic else 1.0  # equal contacts do not ask for it
+        return (drawn.D33, drawn.Dr33 if self.branches else 0.0, ratio, friction, POISSON)
 
     def call(self, drawn: Sample, **options: Any) -> Callable[[], Array]:
         """A call of ``axial_stiffness`` that answers it.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -40,7 +41,9 @@ def average(degree: int, D33: float = 0.3) -> tuple[Way, Way]:
     -----
     Source: eq. (4) by directions; one contact along axis 3 has C3333 = k_n and C2323 = C1313 = k_r/4.
     """
-    from elasticipy.tensors.elasticity import StiffnessTensor
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what it loads speaks of parts that will go; that is its own matter
+        from elasticipy.tensors.elasticity import StiffnessTensor
     from scipy.integrate import lebedev_rule
     from scipy.spatial.transform import Rotation
 
