@@ -124,6 +124,32 @@ def table_ii_waves() -> Static:
     return Static(draw())
 
 
+def over_the_sphere(path: str, what: str) -> Static:
+    """A figure of a scene that is not symmetric about axis 3.
+
+    Parameters
+    ----------
+    path : str
+        The scene file.
+    what : str
+        fabric, forces, contacts, stiffness or waves.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: ``granular plot``.
+    """
+    from granular.figures.page import Static
+    from granular.figures.without_axis import FIGURES
+    from granular.scene import Scene
+
+    return Static(FIGURES[what].static(Scene.from_toml(path)))
+
+
 def figure_7() -> Static:
     """Figure 7: contact forces and stiffnesses by direction for four microstructures under isotropic stress.
 
