@@ -145,8 +145,8 @@ def fourth_about_axis_3(D3333: float) -> Tensor4:
 
     Examples
     --------
-    >>> fourth_about_axis_3(0.8)[2][2][2][2], fourth_about_axis_3(0.8)[0][0][0][0]
-    (0.8, 0.3)
+    >>> fourth_about_axis_3(1.0)[2][2][2][2], fourth_about_axis_3(1.0)[0][0][0][0]
+    (1.0, 0.375)
     """
     import numpy as np
 

@@ -278,7 +278,7 @@ def first_integral(quotient: float) -> float:
     Examples
     --------
     >>> round(first_integral(5.0), 6)
-    2.308493
+    2.308513
     """
     return (math.sqrt(1 + quotient) + quotient * math.asinh(1 / math.sqrt(quotient))) / 2
 
@@ -303,7 +303,7 @@ def misplaced_bracket(quotient: float) -> float:
     Examples
     --------
     >>> round(misplaced_bracket(5.0), 6)
-    3.074214
+    3.07416
     """
     root = math.sqrt(1 + quotient)
     return (root + quotient * math.log(1 + root / math.sqrt(quotient))) / 2
