@@ -9,7 +9,9 @@ from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
+import pyarrow
 import pytest
+from pyarrow import parquet
 
 from granular.contacts import tables
 from granular.contacts.contact_list import ContactList
@@ -69,7 +71,6 @@ def as_compressed_dump(folder):
 
 
 def as_parquet(folder):
-    parquet, pyarrow = pytest.importorskip("pyarrow.parquet"), pytest.importorskip("pyarrow")
     header, rows = table()
     columns = np.array(rows, dtype=float).T
     whole = {name: column.astype(int) if name.startswith("id") else column
@@ -212,7 +213,6 @@ def test_missing_values_are_counted_over_the_whole_file(tmp_path, monkeypatch):
 
 def test_missing_values_of_parquet_files_are_counted_too(tmp_path):
     # Breaks when a row of a file without lines has no name.
-    parquet, pyarrow = pytest.importorskip("pyarrow.parquet"), pytest.importorskip("pyarrow")
     columns = {"l1": [2e-3, None], "l2": [0.0, 2e-3], "l3": [0.0] * 2, "n1": [1.0, 0.0], "n2": [0.0, 1.0],
                "n3": [0.0] * 2}
     parquet.write_table(pyarrow.table(columns), tmp_path / "a.parquet")

@@ -4,6 +4,7 @@ import json
 from copy import deepcopy
 
 import numpy as np
+import pint
 import pytest
 
 import granular
@@ -204,7 +205,6 @@ def test_readings(text, name, expected):
 
 def test_units_of_speed_are_those_of_pint():
     for unit in SPEED.units:
-        pint = pytest.importorskip("pint")
         assert in_si(f"1 {unit}", SPEED) == pytest.approx(pint.Quantity(f"1 {unit}").to("m/s").magnitude, rel=1e-15)
 
 

@@ -98,7 +98,6 @@ def test_sums_over_directions_are_the_closed_form() -> None:
 
 def test_bounds_are_those_that_are_aimed_at() -> None:
     """A comparison that is lost, or a bound that is another, breaks this."""
-    pytest.importorskip("numba")
     small = {one.name: one for one in catalogue()}
     found = {(name, way.name): way.wanted for name, one in small.items()
              if name not in (*PEERS, "parquet", "constant", "kinetic") for way in one.ways(2) if way.wanted}
