@@ -135,18 +135,18 @@ EQUATIONS = (
 TABLES = (
     Entry("Table I", "sizes and spreads of six gradations", CONFIRMED,
           f"{SIZES_DRAWN}::test_printed_coefficients_of_uniformity_follow_from_the_spreads",
-          ("granular.figures.paper_figures_3_4.table_i",), "gradation:tab-table-i"),
+          ("granular.figures.paper_figures_3_4.table_i",), "table_i:tab-table-i"),
     Entry("Table II", "fabric alone", ((Verdict.RULE, "sec-erratum-decimals"),),
           "granular/test_reference.py::test_table_ii_by_the_printed_rule",
           ("granular.routes.exact.evaluate", "granular.routes.midpoint.evaluate"), "table_ii:tab-table-ii"),
     Entry("Table III", "contact forces and slip",
           ((Verdict.RULE, "sec-erratum-decimals"), (Verdict.MISPRINT, "sec-erratum-caption")),
-          f"{KINETIC}::test_tables_iii_to_v", EXACT_AND_RULE, "tables_iii_v:tab-table-iii"),
+          f"{KINETIC}::test_tables_iii_to_v", EXACT_AND_RULE, "table_iii:tab-table-iii"),
     Entry("Table IV", "three packings under isotropic stress",
           ((Verdict.RULE, "sec-erratum-decimals"), (Verdict.MISPRINT, "sec-erratum-two-values")),
-          f"{KINETIC}::test_tables_iii_to_v", EXACT_AND_RULE, "tables_iii_v:tab-table-iv"),
+          f"{KINETIC}::test_tables_iii_to_v", EXACT_AND_RULE, "table_iv:tab-table-iv"),
     Entry("Table V", "three stress ratios", ((Verdict.RULE, "sec-erratum-decimals"),),
-          f"{KINETIC}::test_tables_iii_to_v", EXACT_AND_RULE, "tables_iii_v:tab-table-v"),
+          f"{KINETIC}::test_tables_iii_to_v", EXACT_AND_RULE, "table_v:tab-table-v"),
 )
 
 FIGURES = (
@@ -155,10 +155,10 @@ FIGURES = (
     Entry("Figure 2", "coordinates", DEFINITION, "derivations/test_sphere.py::test_sphere_mean_from_circle_and_axis",
           (), "conventions"),
     Entry("Figure 3", "gradation curves", REDRAWN, f"{SIZES_DRAWN}::test_figure_3_draws_diameters",
-          ("granular.figures.paper_figures_3_4.figure_3",), "gradation:fig-three"),
+          ("granular.figures.paper_figures_3_4.figure_3",), "figure_3:fig-three"),
     Entry("Figure 4", "densities of sizes and lengths", REDRAWN,
           f"{SIZES_DRAWN}::test_densities_of_figure_4_have_area_one",
-          ("granular.figures.paper_figures_3_4.figure_4",), "branch_lengths:fig-four"),
+          ("granular.figures.paper_figures_3_4.figure_4",), "figure_4:fig-four"),
     Entry("Figure 5", "weights over the directions", REDRAWN, f"{DRAWN}::test_surfaces_show_value_as_distance",
           ("granular.figures.paper_figure_5.figure_5",), "figure_5:fig-five"),
     Entry("Figure 6", "stiffness against branch anisotropy", REDRAWN,
@@ -167,13 +167,13 @@ FIGURES = (
     Entry("Figure 7", "contacts of four microstructures",
           ((Verdict.REDRAWN, ""), (Verdict.MISPRINT, "sec-erratum-normal-stiffness")),
           "granular/test_figures_mohr.py::test_forces_and_stiffnesses_of_the_papers_assemblies", BY_DIRECTION,
-          "figures_7_8_9:fig-seven"),
+          "figure_7:fig-seven"),
     Entry("Figure 8", "contacts of three packings", REDRAWN,
           "granular/test_figures_mohr.py::test_forces_and_stiffnesses_of_the_papers_assemblies", BY_DIRECTION,
-          "figures_7_8_9:fig-eight"),
+          "figure_8:fig-eight"),
     Entry("Figure 9", "contacts under three stress ratios", REDRAWN,
           "granular/test_figures_contacts.py::test_the_sliding_range_at_stress_ratio_two",
-          ("granular.figures.contacts.contacts_figure",), "figures_7_8_9:fig-nine"),
+          ("granular.figures.contacts.contacts_figure",), "figure_9:fig-nine"),
 )
 
 TEXT = (
