@@ -88,9 +88,13 @@ def _csv_link(name: str, header: Sequence[str], rows: Iterable[Sequence[str]], w
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(header)
     writer.writerows(rows)
-    data = base64.b64encode(text.getvalue().encode()).decode()
-    return (f'\n<p class="take-away"><a download="{name}" href="data:text/csv;base64,{data}">'
-            f"{what} as {name}</a></p>\n")
+    return f'\n<p class="take-away">{file_link(name, text.getvalue(), f"{what} as {name}")}</p>\n'
+
+
+def file_link(name: str, content: str, words: str, *, kind: str = "text/csv") -> str:
+    """Link to a file that the page itself holds."""
+    data = base64.b64encode(content.encode()).decode()
+    return f'<a download="{name}" href="data:{kind};base64,{data}">{words}</a>'
 
 
 _TYPOGRAPHY = {"<=": "≤", ">=": "≥", "^2": "²", "^3": "³", "^4": "⁴", " - ": " − "}
