@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 from page_tools.markup import Markup
@@ -38,3 +39,10 @@ def answer(command: str, file: str, *options: str) -> Markup:
                           encoding="utf-8", env={**shell, "COLUMNS": str(WIDTH), "PYTHONUTF8": "1"})
     line = " ".join(["granular", command, Path(file).name, *options])
     return Markup(f"```console\n$ {line}\n{done.stdout}```\n")
+
+
+def wrapped(line: str) -> str:
+    """Break a command into several lines, as a shell takes it; options stay beside their values."""
+    glued = textwrap.wrap(line.replace(" --", "\0--").replace(" ", "\1").replace("\0", " "), WIDTH - 2,
+                          subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    return " \\\n".join(glued).replace("\1", " ")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gzip
 import tempfile
-import textwrap
 from collections.abc import Callable
 from contextlib import chdir
 from functools import lru_cache
@@ -28,7 +27,7 @@ from granular.errors import GranularError
 from granular.figures.contact_list import contact_list_figure
 from granular.figures.page import Static
 from granular.hypothesis import Hypothesis
-from page_tools.commands import WIDTH, answer
+from page_tools.commands import answer, wrapped
 from page_tools.markup import Markup, plain, table
 from page_tools.refusals import command_line
 
@@ -74,7 +73,7 @@ def report() -> Markup:
                        str(known["N_grains"]), "--shear-modulus", f"{known['Gs'] / 1e9:g}e9", "--poisson-ratio",
                        f"{known['nu']:g}", "--friction", f"{known['mu']:g}").text
     opening, line, *lines = shown.splitlines()
-    return Markup("\n".join([opening, _wrapped(line), *lines]) + "\n")
+    return Markup("\n".join([opening, wrapped(line), *lines]) + "\n")
 
 
 def columns_table() -> Markup:
@@ -267,19 +266,12 @@ def mapped(columns: dict[str, str], file: str) -> Markup:
     """A command with the names of a dump's columns."""
     line = " ".join(["$ granular contacts", file, "--volume V --spheres",
                      *(f"--column {name}={column}" for name, column in columns.items())])
-    return Markup(f"```console\n{_wrapped(line)}\n```\n")
+    return Markup(f"```console\n{wrapped(line)}\n```\n")
 
 
 def plain_but_maths(text: str) -> str:
     """Plain text in which formulas between dollars stay formulas."""
     return "$".join(part if place % 2 else plain(part) for place, part in enumerate(text.split("$")))
-
-
-def _wrapped(line: str) -> str:
-    """A command over several lines, as a shell takes it; options stay beside their values."""
-    glued = textwrap.wrap(line.replace(" --", "\0--").replace(" ", "\1").replace("\0", " "), WIDTH - 2,
-                          subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
-    return " \\\n".join(glued).replace("\1", " ")
 
 
 def _of_file(name: str, content: bytes, grains: int | None = None) -> Callable[[], object]:
