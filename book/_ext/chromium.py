@@ -39,7 +39,8 @@ class BrowserError(RuntimeError):
 class Chromium:
     """A headless Chromium with one tab; use it as a context manager."""
 
-    def __init__(self, executable: str) -> None:
+    def __init__(self, executable: str, *, timeout: float = PAGE_TIMEOUT) -> None:
+        self._timeout = timeout
         self._profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         read_commands, self._commands = os.pipe()
         self._answers, write_answers = os.pipe()
@@ -78,7 +79,7 @@ class Chromium:
         if self._session is not None:
             message["sessionId"] = self._session
         os.write(self._commands, json.dumps(message).encode() + b"\0")
-        deadline = time.monotonic() + PAGE_TIMEOUT
+        deadline = time.monotonic() + self._timeout
         while (answer := self._next_message(deadline, waiting_for=method)).get("id") != self._count:
             self.events.append(answer)
         if "error" in answer:
@@ -90,7 +91,7 @@ class Chromium:
         while b"\0" not in self._pending:
             ready, _, _ = select.select([self._answers], [], [], max(0.0, deadline - time.monotonic()))
             if not ready:
-                raise BrowserError(f"no answer to {waiting_for} within {PAGE_TIMEOUT:.0f} s")
+                raise BrowserError(f"no answer to {waiting_for} within {self._timeout:.0f} s")
             chunk = os.read(self._answers, 1 << 20)
             if not chunk:
                 raise BrowserError(f"Chromium ended while it was asked for {waiting_for}")
@@ -99,15 +100,18 @@ class Chromium:
         answer: dict[str, Any] = json.loads(message)
         return answer
 
-    def open(self, page: Path, *, width: int, height: int = 900, dark: bool = False) -> None:
-        """Load a page at a width [px] and wait until its formulas are typeset; ``events`` starts afresh."""
+    def open(self, page: Path, *, width: int, height: int = 900, dark: bool = False, media: str = "") -> None:
+        """Load a page at a width [px], as on a screen or for other ``media``, and wait until its formulas are typeset.
+
+        ``events`` starts afresh.
+        """
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
                   mobile=False)
-        scheme = "dark" if dark else "light"
-        self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+        scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
+        self.call("Emulation.setEmulatedMedia", media=media, features=[scheme])
         self.events.clear()
         loader = self.call("Page.navigate", url=page.resolve().as_uri())["loaderId"]
-        deadline = time.monotonic() + PAGE_TIMEOUT
+        deadline = time.monotonic() + self._timeout
         while not any(_says_loaded(event, loader) for event in self.events):
             self.events.append(self._next_message(deadline, waiting_for=f"the load of {page.name}"))
         self.ask(TYPESET)
