@@ -1,13 +1,14 @@
-"""The two ways of running a block: NumPy, and a loop that numba compiles where it is installed."""
+"""How a block is run: by NumPy, or as a loop that numba compiles where it is installed."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from enum import StrEnum
 from importlib import import_module
 from pathlib import Path
 from types import FunctionType
+from typing import Any
 
 from granular.batch.kernel import BlockFunction, Kernel
 from granular.errors import UnknownChoice
@@ -18,13 +19,21 @@ million elements by NumPy. Afterwards every size is compiled."""
 
 
 class Engine(StrEnum):
-    """How blocks are run. Both give the same bits."""
+    """How blocks are run: the first two give the same bits, the third is free to fuse multiplications and additions.
+
+    Fused, a product is not rounded before something is added to it. That is faster and no less accurate, but the last
+    bits then depend on what the processor can do, so that it runs only where it is named.
+    """
 
     NUMPY = "numpy"
     COMPILED = "compiled"
+    FUSED = "fused"
 
 
-_compiled: dict[BlockFunction, BlockFunction] = {}
+CONTRACT = {"contract"}
+"""What numba is free to do for ``FUSED``: nothing but to fuse."""
+
+_compiled: dict[tuple[BlockFunction, Engine], BlockFunction] = {}
 _evaluated: dict[BlockFunction, int] = {}
 
 
@@ -49,7 +58,7 @@ def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None)
     Raises
     ------
     UnknownChoice
-        Another engine, or ``compiled`` without numba.
+        Another engine, or one that is compiled without numba.
 
     Notes
     -----
@@ -65,7 +74,7 @@ def choose_engine(kernel: Kernel, size: int, wanted: Engine | str | None = None)
     if engine is not None:
         return engine
     loop = kernel.loop()
-    if loop in _compiled:
+    if (loop, Engine.COMPILED) in _compiled:
         return Engine.COMPILED
     _evaluated[loop] = _evaluated.get(loop, 0) + size
     return Engine.COMPILED if _evaluated[loop] >= COMPILE_FROM and compiler_installed() else Engine.NUMPY
@@ -87,7 +96,7 @@ def engine_named(name: Engine | str | None) -> Engine | None:
     Raises
     ------
     UnknownChoice
-        Another name, or ``compiled`` without numba.
+        Another name, or one that is compiled without numba.
 
     Examples
     --------
@@ -102,8 +111,8 @@ def engine_named(name: Engine | str | None) -> Engine | None:
         known = ", ".join(repr(choice.value) for choice in Engine)
         raise UnknownChoice(f"engine = {name!r}", allowed=f"allowed: {known}",
                             remedy="Leave engine out, or name one of these.") from None
-    if engine is Engine.COMPILED and not compiler_installed():
-        raise UnknownChoice("engine = 'compiled' without numba", allowed="allowed: 'numpy'",
+    if engine is not Engine.NUMPY and not compiler_installed():
+        raise UnknownChoice(f"engine = {engine.value!r} without numba", allowed="allowed: 'numpy'",
                             remedy="Leave engine out, or install numba, as the extra granular[fast] does.")
     return engine
 
@@ -148,39 +157,54 @@ def block_function(kernel: Kernel, engine: Engine) -> BlockFunction:
     """
     if engine is Engine.NUMPY:
         return kernel.array()
-    loop = kernel.loop()
-    if loop not in _compiled:
-        _compiled[loop] = _compile(loop, len(kernel.inputs) + len(kernel.tables), kernel)
-    return _compiled[loop]
+    key = kernel.loop(), engine
+    if key not in _compiled:
+        _compiled[key] = _compile(kernel, fused=engine is Engine.FUSED)
+    return _compiled[key]
 
 
-def _compile(loop: BlockFunction, count: int, kernel: Kernel) -> BlockFunction:
+def _compile(kernel: Kernel, *, fused: bool) -> BlockFunction:
     """Compile for read-only inputs, so that no kind of argument makes numba compile once more."""
     import numba
     from numba import types
 
-    helpers = kernel.helpers()
-    for helper in helpers:
-        numba.extending.register_jitable(helper)
-    named = _named_after(helpers, loop) if helpers else loop
+    named = _with_helpers(kernel, fused=fused)
     read = [types.Array(types.float64, 1, "C", readonly=True)] * len(kernel.inputs)
     tables = [types.Array(types.float64, table.ndim, "C", readonly=True) for table in kernel.tables]
     signature = types.int64(*read, *tables, types.Array(types.float64, 1, "C"))
+    free = CONTRACT if fused else False
     try:
-        made: BlockFunction = numba.njit(signature, cache=True, nogil=True, error_model="numpy")(named)
+        made: BlockFunction = numba.njit(signature, cache=True, nogil=True, fastmath=free, error_model="numpy")(named)
     except RuntimeError:  # there is no place to keep what was compiled
-        made = numba.njit(signature, nogil=True, error_model="numpy")(named)
+        made = numba.njit(signature, nogil=True, fastmath=free, error_model="numpy")(named)
     return made
 
 
-def _named_after(helpers: tuple[Callable[..., object], ...], loop: BlockFunction) -> BlockFunction:
-    """A copy of a loop whose name tells the sources of its helpers.
+def _with_helpers(kernel: Kernel, *, fused: bool) -> BlockFunction:
+    """A copy of the loop of a kernel that calls compiled helpers, under a name that tells what it was made of.
 
     What numba keeps on disk it finds by the name of a function and the date of its own file: without this a helper
-    that changes in another file would go unnoticed.
+    that changes in another file, or the other way of compiling, would go unnoticed.
     """
+    import numba
+
+    loop, helpers, exact = kernel.loop(), kernel.helpers(), kernel.exact_helpers()
+    known: dict[str, object] = {}
+    for helper in helpers:
+        free = fused and helper not in exact
+        known[helper.__name__] = numba.njit(fastmath=CONTRACT if free else False, error_model="numpy", nogil=True)(
+            _copy(helper, helper.__name__, known))
+    if not known and not fused:
+        return loop
     files = sorted({helper.__code__.co_filename for helper in helpers if isinstance(helper, FunctionType)})
     digest = hashlib.sha256(b"".join(Path(file).read_bytes() for file in files)).hexdigest()[:16]
-    copy = FunctionType(loop.__code__, loop.__globals__, f"{loop.__name__}_{digest}")
-    copy.__qualname__ = copy.__name__
+    return _copy(loop, "_".join([loop.__name__, *([digest] if known else []), *(["fused"] if fused else [])]), known)
+
+
+def _copy(function: Callable[..., Any], name: str, known: Mapping[str, object]) -> Callable[..., Any]:
+    """A function that finds other functions under the names that it calls."""
+    if not isinstance(function, FunctionType):
+        raise TypeError(f"{name} is no plain function")
+    copy = FunctionType(function.__code__, {**function.__globals__, **known}, name, function.__defaults__)
+    copy.__qualname__ = name
     return copy

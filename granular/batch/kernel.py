@@ -33,7 +33,9 @@ class Kernel:
     tables : tuple of array
         Contiguous float64 arrays that every call takes after the inputs [-].
     helpers : callable
-        Loads the functions that the loop calls and that a compiler has to know.
+        Loads the functions that the loop calls and that a compiler has to know, each after those that it calls.
+    exact_helpers : callable
+        Loads those of them whose roundings must stay as they are written, because they find what rounding took.
     """
 
     name: str
@@ -43,3 +45,4 @@ class Kernel:
     loop: Callable[[], BlockFunction]
     tables: tuple[NDArray[np.float64], ...] = ()
     helpers: Callable[[], tuple[Callable[..., object], ...]] = tuple
+    exact_helpers: Callable[[], tuple[Callable[..., object], ...]] = tuple

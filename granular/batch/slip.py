@@ -108,7 +108,7 @@ def any_friction() -> Kernel:
 
 def _kernel(kind: str, table: Table) -> Kernel:
     return Kernel(name=f"partial slip, {kind}, kinematic", inputs=INPUTS, relative_error=RELATIVE_ERROR,
-                  array=_array, loop=_loop, helpers=_helpers,
+                  array=_array, loop=_loop, helpers=_helpers, exact_helpers=_exact_helpers,
                   tables=(table.coefficients, table.middle, table.narrowness))
 
 
@@ -126,5 +126,11 @@ def _loop() -> BlockFunction:
 
 def _helpers() -> tuple[Callable[..., object], ...]:
     from granular.batch.slip_loop import HELPERS
+
+    return HELPERS
+
+
+def _exact_helpers() -> tuple[Callable[..., object], ...]:
+    from granular.batch.slip_share import HELPERS
 
     return HELPERS

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from granular.batch.arguments import common_shape, hypothesis_named, real_array, require_range, require_sticking
-from granular.errors import SlopeInfinite, ValueOutOfRange
+from granular.errors import ArrayNotUsable, SlopeInfinite, ValueOutOfRange
 from granular.hypothesis import Hypothesis
 
 if TYPE_CHECKING:
@@ -46,6 +46,7 @@ def axial_gradient(
     *,
     kinetic: bool = True,
     hypothesis: Hypothesis | str = Hypothesis.KINEMATIC,
+    out: AxialGradient | None = None,
     engine: str | None = None,
     threads: int | None = None,
 ) -> AxialGradient:
@@ -71,12 +72,16 @@ def axial_gradient(
     hypothesis : "kinematic" or "static"
         Upper bound or lower estimate.
     engine, threads : optional
-        How many assemblies without slip are run, as in :func:`granular.axial_stiffness`; the same bits always.
+        How many assemblies without slip are run, as in :func:`granular.axial_stiffness`.
+    out : AxialGradient, optional
+        Result of an earlier call of the same shape, whose memory takes this one: fresh memory for 36 numbers of each
+        assembly takes longer than the numbers do. After a refusal its contents mean nothing.
 
     Returns
     -------
     AxialGradient
-        ``value``, (..., 6) [-], and ``jacobian``, (..., 6, 5) [-]. Without friction its column is zero.
+        ``value``, (..., 6) [-], and ``jacobian``, (..., 6, 5) [-]; ``out`` itself where it is given. Without friction
+        its column is zero.
 
     Raises
     ------
@@ -90,9 +95,10 @@ def axial_gradient(
     ComplianceInfinite
         The static hypothesis where contacts slide.
     ArrayNotUsable
-        Arguments that are not real numbers, or whose shapes do not broadcast.
+        Arguments that are not real numbers, or whose shapes do not broadcast; an ``out`` that is no result of this
+        function, has another shape or shares its memory with an argument.
     UnknownChoice
-        Another hypothesis.
+        Another hypothesis or engine.
 
     Notes
     -----
@@ -102,7 +108,7 @@ def axial_gradient(
     (static: delta^(-5/6)). Accuracy: 1e-13 of the larger of the slope and the largest component, as long as stress
     ratio, branch lengths and onset are not closer than 1e-3 to where a slope becomes infinite; beside that, of the
     largest slope of the element. Cost over that of the stiffness, values included: 1 to 4 with contact forces, 1.5 with
-    slip, 2.5 for static compliances; 4 to 7 for equal contacts, where next to nothing is computed and 36 numbers are
+    slip, 2.5 for static compliances; 4 to 9 for equal contacts, where next to nothing is computed and 36 numbers are
     written in place of 6.
     Source: eqs (4), (7), and Figure 1(b) with (20)-(23), differentiated in ``derivations.gradients``.
 
@@ -127,7 +133,7 @@ def axial_gradient(
         given["friction_coefficient"] = real_array(friction_coefficient, "friction_coefficient")
     shape = common_shape(given)
     require_range(given)
-    rows = np.empty((*shape, COLUMNS))
+    rows = np.empty((*shape, COLUMNS)) if out is None else _memory(out, shape, given)
     kernel = _kernel(given, chosen, kinetic=kinetic)
     if kernel is None:
         rest = np.arange(rows.size // COLUMNS)
@@ -135,8 +141,32 @@ def axial_gradient(
         rest = evaluate_batch(kernel, [given[name] for name in kernel.inputs], rows, engine=engine, threads=threads)
     if rest.size:
         _fill(rows.reshape(-1, COLUMNS), rest, given, shape, chosen, kinetic=kinetic)
+    if out is not None:
+        return out
     by_slope = rows.reshape(*shape, COLUMNS // 6, 6)
     return AxialGradient(by_slope[..., 0, :], np.moveaxis(by_slope[..., 1:, :], -1, -2))
+
+
+def _memory(out: AxialGradient, shape: tuple[int, ...], given: dict[str, NDArray[Any]]) -> Array:
+    """The rows behind an earlier result."""
+    import numpy as np
+
+    from granular.derivatives.rows import COLUMNS
+
+    def refuse(found: str, allowed: str) -> ArrayNotUsable:
+        return ArrayNotUsable(f"out {found}", allowed=f"needed: {allowed}",
+                              remedy="Hand over what axial_gradient returned for the same shape, or leave out away.")
+
+    if not isinstance(out, AxialGradient):
+        raise refuse(f"is a {type(out).__name__}", "a result of axial_gradient")
+    rows = out.value.base
+    if rows is None or rows is not out.jacobian.base or rows.shape != (*out.value.shape[:-1], COLUMNS):
+        raise refuse("holds arrays that are not its own", "a result of axial_gradient as it was returned")
+    if out.value.shape != (*shape, 6):
+        raise refuse(f"holds results of shape {out.value.shape[:-1]}", f"shape {shape}")
+    if any(np.may_share_memory(rows, array) for array in given.values()):
+        raise refuse("shares its memory with an argument", "memory of its own")
+    return rows
 
 
 def _kernel(given: dict[str, NDArray[Any]], hypothesis: Hypothesis, *, kinetic: bool) -> Kernel | None:

@@ -12,7 +12,7 @@ from granular.speed.interleaved import Way
 from granular.speed.limit import moved
 from granular.speed.questions import Question
 from granular.speed.sample import POISSON, sample
-from granular.speed.ways import engines, results, slopes, values
+from granular.speed.ways import engines, operations_alone, results, slopes, values
 
 PER_ITEM = 200
 """Elements that slow ways do in one call [-]."""
@@ -71,13 +71,14 @@ def _against_limit(question: Question, name: str, wanted: float, size: int) -> l
     drawn, out = sample(size), results(size)
     read = (drawn.D33, drawn.Dr33, drawn.stress_ratio) if question.kinetic else (drawn.D33, drawn.Dr33)
     return [Way(name="moving the same arrays", elements=size, call=moved(read, out)),
+            *(operations_alone(question, size) if size == LARGE else ()),
             *(values(f"{name}, {engine}", question, drawn, out=out, engine=engine, threads=1,
-                     wanted=wanted if engine == "compiled" and size == LARGE else None) for engine in engines())]
+                     wanted=wanted if engine != "numpy" and size == LARGE else None) for engine in engines())]
 
 
 def _slip_against_limit(size: int) -> list[Way]:
     drawn, out = sample(size), results(size)
-    able = engines() if size <= MOST_BY_NUMPY else engines()[:1]
+    able = engines() if size <= MOST_BY_NUMPY else engines()[:2]
     return [Way(name="moving the same arrays", elements=size,
                 call=moved((drawn.D33, drawn.Dr33, drawn.stress_ratio), out)),
             *(values(f"slip, {engine}", questions.SLIP, drawn, out=out, engine=engine, threads=1) for engine in able)]
@@ -99,8 +100,9 @@ def _threads(question: Question, size: int) -> list[Way]:
 
 def _slopes(question: Question, engine: str, size: int) -> list[Way]:
     drawn = sample(size)
-    return [values("values", question, drawn, engine=engine, threads=1),
-            slopes("values and slopes", question, drawn, engine=engine, threads=1, wanted=4.0)]
+    return [values("values", question, drawn, out=results(size), engine=engine, threads=1),
+            slopes("values and slopes", question, drawn, out=question.slopes(drawn)(), engine=engine, threads=1,
+                   wanted=4.0)]
 
 
 def _slopes_with_slip(size: int) -> list[Way]:
@@ -188,7 +190,7 @@ def catalogue() -> Iterator[Comparison]:
                      ways=partial(_against_limit, questions.KINETIC, "kinetic", 4.5))
     yield Comparison(name="slip", title="partial slip and sliding, one friction", sizes=SIZES,
                      ways=_slip_against_limit)
-    for engine, size in (("compiled", LARGE), ("numpy", BY_NUMPY)):
+    for engine, size in (("fused", LARGE), ("compiled", LARGE), ("numpy", BY_NUMPY)):
         yield Comparison(name=f"slip-{engine}", title=f"partial slip beside the kinetic fabric, {engine}",
                          ways=partial(_slip, engine), sizes=(size,))
     for name, question in (("constant", questions.CONSTANT), ("kinetic", questions.KINETIC), ("slip", questions.SLIP)):
@@ -196,7 +198,7 @@ def catalogue() -> Iterator[Comparison]:
                          ways=partial(_threads, question))
     differences = "values as before; slopes against differences of ball arithmetic"
     for name, question in (("constant", questions.CONSTANT), ("kinetic", questions.KINETIC)):
-        for engine in ("compiled", "numpy"):
+        for engine in ("fused", "compiled", "numpy"):
             yield Comparison(name=f"slopes-{name}-{engine}", title=f"slopes beside values, {name}, {engine}",
                              ways=partial(_slopes, question, engine), errors=differences)
     yield Comparison(name="slopes-slip", title="slopes beside values, slip", ways=_slopes_with_slip, sizes=(SLOW,),

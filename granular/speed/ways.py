@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from granular.batch import constant, kinetic
 from granular.batch.engines import compiler_installed
 from granular.speed.errors_met import FEW, worst_error, worst_slope_error
 from granular.speed.interleaved import Way
+from granular.speed.limit import computed
 from granular.speed.questions import Question
 from granular.speed.sample import Sample
 
@@ -70,6 +73,33 @@ def slopes(name: str, question: Question, drawn: Sample, *, wanted: float | None
                error=partial(worst_slope_error, question, call) if size >= FEW else None)
 
 
+def operations_alone(question: Question, size: int) -> tuple[Way, ...]:
+    """As many operations as the kernel of a question has, without memory: the other limit of the machine.
+
+    Parameters
+    ----------
+    question : Question
+        Kinematic, without friction.
+    size : int
+        How many assemblies [-].
+
+    Returns
+    -------
+    tuple of 2 Way
+        Each operation by itself, and a multiplication fused with an addition; none without numba.
+
+    Notes
+    -----
+    Source: the operations that the emitted loop states.
+    """
+    if not compiler_installed():
+        return ()
+    kernel = kinetic.KINEMATIC if question.kinetic else constant.KINEMATIC
+    count = int(re.findall(r"Operations: (\d+)", kernel.loop().__doc__ or "")[-1])
+    return tuple(Way(name=f"its {count} operations alone{', fused' if fused else ''}", elements=size,
+                     call=computed(size, count, fused=fused)) for fused in (False, True))
+
+
 def engines() -> tuple[str, ...]:
     """Engines that run here, the fastest first.
 
@@ -78,7 +108,7 @@ def engines() -> tuple[str, ...]:
     tuple of str
         Names as ``axial_stiffness`` takes them.
     """
-    return ("compiled", "numpy") if compiler_installed() else ("numpy",)
+    return ("fused", "compiled", "numpy") if compiler_installed() else ("numpy",)
 
 
 def results(size: int) -> Array:

@@ -226,3 +226,31 @@ def test_loops_are_the_blocks():
         one, other = np.empty(40 * 36), np.empty(40 * 36)
         assert kernel.loop()(*inputs, one) == kernel.array()(*inputs, other) == 0
         assert one.tobytes() == other.tobytes()
+
+
+def test_the_memory_of_an_earlier_result_is_taken_again():
+    # rows written beside it, or columns of the last call left where this one has none
+    earlier = granular.axial_gradient([0.5, -0.5], 0.3, 2.0, 0.4)
+    again = granular.axial_gradient([0.1, 0.2], 0.0, kinetic=False, out=earlier)
+    fresh = granular.axial_gradient([0.1, 0.2], 0.0, kinetic=False)
+    assert again is earlier
+    np.testing.assert_array_equal(again.value, fresh.value)
+    np.testing.assert_array_equal(again.jacobian, fresh.jacobian)
+
+
+@pytest.mark.parametrize(("place", "said"), [
+    (np.zeros((2, 6)), "is a ndarray"),
+    (granular.axial_gradient([0.1, 0.2, 0.3], 0.0), r"shape \(3,\), needed: shape \(2,\)"),
+    (type(granular.axial_gradient(0, 0))(np.zeros((2, 6)), np.zeros((2, 6, 5))), "not its own"),
+])
+def test_memory_that_is_no_earlier_result(place, said):
+    # values written where a caller does not look, or half of them lost
+    with pytest.raises(ArrayNotUsable, match=said):
+        granular.axial_gradient([0.1, 0.2], 0.0, out=place)
+
+
+def test_memory_that_is_read_meanwhile():
+    # an argument overwritten before it has been read
+    earlier = granular.axial_gradient([0.1, 0.2], 0.0)
+    with pytest.raises(ArrayNotUsable, match="shares its memory"):
+        granular.axial_gradient(earlier.value[:, 0], 0.0, out=earlier)
