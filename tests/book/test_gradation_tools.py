@@ -22,13 +22,6 @@ def cells(text: str) -> list[list[str]]:
     return [[cell.strip() for cell in line.strip("| ").split(" | ")] for line in lines[2:]]
 
 
-def test_printed_uniformity_is_the_computed_one_rounded() -> None:
-    """Breaks when Table I is read with other sizes than the paper's, or C_u is computed otherwise."""
-    rows = cells(gradation.table_one(TABLE_I).text)
-    assert len(rows) == 6
-    assert [f"{float(row[4]):.1f}" for row in rows] == [row[3] for row in rows]
-
-
 def test_form_changes_contacts_and_no_stiffness() -> None:
     """Breaks when the form of the density changes the stiffness, or the sizes are no longer those of its form."""
     paper, classical = cells(gradation.two_forms().text)

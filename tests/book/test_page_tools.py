@@ -12,7 +12,6 @@ import pytest
 from page_tools.emitted import PAGE_OF
 from page_tools.formulas import of_steps
 from page_tools.markup import boxed, numbers_to_take_away, plain, table
-from page_tools.paper_kinetic import panel_counts, printed_ratios, verdicts, which_panels
 from page_tools.provenance import DATA_FILES
 from page_tools.refusals import refused
 from page_tools.steps import assumptions, display, parts, steps
@@ -112,17 +111,6 @@ def test_every_derivation_has_its_page(book: Path) -> None:
         page = (book / f"{PAGE_OF[name]}.md").read_text(encoding="utf-8")
         assert name in page, name
         assert f"_formulas/{name}.md" in sheet, name
-
-
-def test_printed_tables_are_explained(book: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Breaks when a printed ratio is no longer what 24 panels give, rounded or cut, or a misprint."""
-    monkeypatch.chdir(book)
-    found = [ratio for name in ("II", "III", "IV", "V") for ratio in printed_ratios(name)]
-    assert {ratio.verdict() for ratio in found} == {"rounded", "cut", "symmetry", "for 0.857", "for 0.774"}
-    assert len(taken_away(verdicts().text)) == 1 + 18
-    assert "24 alone" in which_panels(20, 30).text
-    assert taken_away(panel_counts(24, 24).text)[1] == ["24", "16", "2", "0", "16"]
-
 
 
 def test_every_data_file_is_listed(book: Path) -> None:

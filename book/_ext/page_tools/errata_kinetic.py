@@ -15,7 +15,7 @@ from granular.routes.result import Six
 from page_tools.errata import PRINTED_TENSOR
 from page_tools.markup import Markup, table
 from page_tools.paper import PANELS, RATIOS, by_midpoint, cases, typeset
-from page_tools.paper_kinetic import TABLES, Printed, evaluated, printed_ratios
+from page_tools.paper_tables import TABLES, Printed, evaluated, printed_ratios
 
 Contacts = Callable[[AxialFabric, Loading], ContactRule]
 

@@ -1,4 +1,4 @@
-"""Grain sizes on a page: Table I, both lognormal forms, a sieve curve and what decides its number of grains."""
+"""Grain sizes on a page: both lognormal forms, a sieve curve and what decides its number of grains."""
 
 from __future__ import annotations
 
@@ -49,17 +49,6 @@ def lognormal_scene(median: str, spread: float, *, hypothesis: str = "kinematic"
 def assemblies(data: str) -> list[tuple[dict[str, str], Lognormal]]:
     """Read Table I: what is printed, and the sizes; r_50 is a radius, and sizes are diameters."""
     return [(case, Lognormal(f"{2 * float(case['r50_mm']):g} mm", float(case["spread"]))) for case in cases(data)]
-
-
-def table_one(data: str) -> Markup:
-    """Compare the printed C_u of Table I with the computed one, and add what else the curves have."""
-    rows = [[case["curve"], case["r50_mm"], case["spread"], case["uniformity"], f"{sizes.uniformity:.3f}",
-             f"{sizes.curvature:.3f}", *_millimetres(sizes.D10, sizes.D50, sizes.D60)]
-            for case, sizes in assemblies(data)]
-    return table(["curve", "$r_{50}$", "$s_r$", "$C_u$ printed", "$C_u$", "$C_c$", "$D_{10}$", "$D_{50}$",
-                  "$D_{60}$"], rows, label="tab-table-i", align="lrrrrrrrr", take_away="table_i_compared.csv",
-                 caption="Table I of the paper with computed coefficients and sizes; $r_{50}$ is a radius, $D$ are "
-                         "diameters, all in mm.")
 
 
 def two_forms() -> Markup:

@@ -43,40 +43,13 @@ def evaluated(case: dict[str, str], **model: Any) -> Evaluation:
     return evaluate(scene_of(float(case["D33"]), float(case["Dr33"]), **model))
 
 
-def table_ii(data: str) -> Markup:
-    """Compare exact, 24-panel and printed ratios."""
-    rows = []
-    for case in cases(data):
-        result = evaluated(case)
-        panels = by_midpoint(result, PANELS)
-        for ratio, (name, column) in zip(result.ratios, RATIOS, strict=True):
-            printed = case[column]
-            rows.append([case["case"], typeset(name), f"{ratio.value:.6f}", f"{panels[name]:.6f}", printed,
-                         percent(float(printed) / ratio.value - 1), verdict(panels[name], printed)])
-    return table(["case", "ratio", "exact", f"{PANELS} panels", "printed", "printed − exact",
-                  f"from {PANELS} panels"], rows, label="tab-table-ii", align="llrrrrl",
-                 caption="Table II of the paper: exact values, the paper's quadrature, and what is printed.",
-                 take_away="table_ii_compared.csv")
-
-
 def rational_ratios(data: str) -> Markup:
     """List the exact ratios as fractions."""
-    rows = [[case["case"], case["D33"], case["Dr33"], *(f"{ratio.exact}" for ratio in evaluated(case).ratios)]
-            for case in cases(data)]
+    rows = [[case["case"], case["D33"], case["Dr33"].replace("-", "−"),
+             *(f"{ratio.exact}" for ratio in evaluated(case).ratios)] for case in cases(data)]
     return table(["case", "$D_{33}$", "$D^{r}_{33}$", *(typeset(name) for name, _ in RATIOS)], rows,
                  label="tab-rational", align="lrrrr", caption="The exact ratios of Table II.",
                  take_away="table_ii_exact.csv")
-
-
-def panel_counts(data: str, first: int, last: int) -> Markup:
-    """Count, for each number of panels, how many of the printed ratios the midpoint rule gives."""
-    rows = []
-    for panels in range(first, last + 1):
-        verdicts = [verdict(by_midpoint(evaluated(case), panels)[name], case[column])
-                    for case in cases(data) for name, column in RATIOS]
-        rows.append([str(panels), *(str(verdicts.count(kind)) for kind in ("rounded", "cut", "no"))])
-    return table(["panels", "rounded", "cut", "not at all"], rows, label="tab-panels", align="lrrr",
-                 caption="How many of the six printed ratios a midpoint rule gives, by its number of panels.")
 
 
 def engineering_table(data: str) -> Markup:
