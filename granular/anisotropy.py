@@ -20,9 +20,9 @@ class ContactNormals(Table):
     """Density of contact normals: P2 and P4 coefficients about axis 3, or tensors of rank two and four."""
 
     D33: Annotated[float | None, Number(optional=True)] = Field(
-        default=None, description="P2 coefficient of the density of contact normals")
+        default=None, description="P2 coefficient of the density of contact normals, -1 to 2 without D3333")
     D3333: Annotated[float | None, Number(optional=True)] = Field(
-        default=None, description="P4 coefficient of the density of contact normals")
+        default=None, description="P4 coefficient of the density of contact normals, inside a region with D33")
     tensor: Annotated[Tensor | None, SymmetricTensor(traceless=True, optional=True)] = Field(
         default=None, description="general traceless D_ij in place of D33")
     tensor4: Annotated[Tensor4 | None, FourthRankTensor(optional=True)] = Field(

@@ -25,11 +25,14 @@ def entries(group: str) -> Markup:
 
 def index(*pages: str) -> Markup:
     """Every name of some pages with the first sentence about it, by what it is for."""
-    rows = [[plain(about.title) if not number else "", role(name, name.removeprefix("granular.")), prose(_first_sentence(name))]
-            for about in GROUPS.values() if about.page in pages
-            for number, name in enumerate((*about.names, *about.returned))]
+    rows = []
+    for about in GROUPS.values():
+        if about.page in pages:
+            rows.append([f"**{plain(about.title)}**", ""])
+            rows += [[role(name, name.removeprefix("granular.")), prose(_first_sentence(name))]
+                     for name in (*about.names, *about.returned)]
     what = "derivations" if pages == ("python_derivations",) else "granular"
-    return table(["for", "name", "what it is"], rows, label=f"tab-python-{what}", look="reference",
+    return table(["name", "what it is"], rows, label=f"tab-python-{what}", look="reference",
                  caption=f"Names of `{what}`, by what they are for.")
 
 

@@ -51,7 +51,8 @@ GROUPS: dict[str, Group] = {
     "slopes": Group("Slopes of one scene", "python_many", _under("granular", "sensitivity"),
                     ("granular.derivatives.Sensitivity",)),
     "sweeps": Group("Sweeps", "python_many", _under("granular", "sweep open_sweep sweeps.Sweep")),
-    "fabric": Group("Fabric and stress", "python_fabric", _under("granular", "AxialFabric GeneralFabric GeneralLoading")),
+    "fabric": Group("Fabric and stress", "python_fabric",
+                    _under("granular", "AxialFabric GeneralFabric GeneralLoading")),
     "general": Group(
         "Without an axis", "python_fabric",
         _under("granular", "general_stiffness classify general.general_engineering general.general_waves "

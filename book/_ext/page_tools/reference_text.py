@@ -22,6 +22,7 @@ _NUMBER = re.compile(r"\((\d+)\)")
 _CITED = r"\b[Ee]qs?\.? \(\d+\)(?:(?:, and |, | and |-)\(\d+\))*"
 _LINKED = re.compile(rf":\w+:`~?[^`]+`|``[^`]+``|{_CITED}")
 _CLASS = re.compile(r"\b[A-Z]\w+\b")
+_QUOTED = re.compile(r'"([^"\s`]+(?: [^"\s`]+)?)"')
 
 
 def sections(doc: str) -> dict[str, str]:
@@ -66,8 +67,17 @@ def _inline(text: str) -> str:
 
 def _typeset(text: str) -> str:
     """Plain text with its powers raised and the indices of single letters lowered."""
-    lowered = _LOWERED.sub(r"\1{sub}`\2`", plain(text))
+    lowered = _LOWERED.sub(r"\1{sub}`\2`", _quoted(text))
     return _RAISED.sub(lambda power: f"{{sup}}`{(power[1] or power[2]).replace('-', '−')}`", lowered)
+
+
+def _quoted(text: str) -> str:
+    """Plain text; values between quotation marks are code."""
+    shown, end = [], 0
+    for value in _QUOTED.finditer(text):
+        shown += [plain(text[end:value.start()]), f"`{value[0]}`"]
+        end = value.end()
+    return "".join([*shown, plain(text[end:])])
 
 
 def _cited(text: str) -> str:
@@ -130,9 +140,9 @@ def typed(text: str) -> str:
     shown, end = [], 0
     for word in _CLASS.finditer(text):
         if word[0] in _classes():
-            shown += [plain(text[end:word.start()]), role(_classes()[word[0]], word[0])]
+            shown += [_quoted(text[end:word.start()]), role(_classes()[word[0]], word[0])]
             end = word.end()
-    return "".join([*shown, plain(text[end:])])
+    return "".join([*shown, _quoted(text[end:])])
 
 
 def refusals(text: str) -> str:
