@@ -51,7 +51,7 @@ def packings() -> tuple[ComparedPacking, ...]:
 def headline() -> Markup:
     """The result of the page in a box."""
     press, shear = _ends(_bounds("C1111", "C3333")), _ends(_bounds("C2323", "C1212"))
-    bulk = _ends([_bulk(packing, KINEMATIC) / _bulk(packing, RELAXED) for packing in packings()])
+    bulk = _ends([bulk_modulus(packing, KINEMATIC) / bulk_modulus(packing, RELAXED) for packing in packings()])
     back, miss = _shares(DIAGONAL, spheres=True), max(packing.affine_miss for packing in packings())
     return boxed("Against packings of known stiffness", Markup(
         f"- Eq. (1) summed over the contacts is the stiffness of a packing whose grains follow the mean strain: within "
@@ -140,8 +140,8 @@ def off_diagonal() -> Markup:
 
 def bulk_table() -> Markup:
     """Bulk modulus by eq. (1) and relaxed."""
-    rows = [[packing.name, *(f"{_bulk(packing, way) / 1e6:.1f}" for way in (KINEMATIC, STATIC, RELAXED)),
-             f"{_bulk(packing, KINEMATIC) / _bulk(packing, RELAXED):.3f}",
+    rows = [[packing.name, *(f"{bulk_modulus(packing, way) / 1e6:.1f}" for way in (KINEMATIC, STATIC, RELAXED)),
+             f"{bulk_modulus(packing, KINEMATIC) / bulk_modulus(packing, RELAXED):.3f}",
              *(f"{engineering_constants(_of(packing, way)).nu31:.3f}" for way in (KINEMATIC, RELAXED))]
             for packing in packings()]
     return table(["packing", "$K$, eq. (1)", "eq. (5)", "relaxed", "(1)/relaxed", "$\\nu_{31}$, eq. (1)", "relaxed"],
@@ -302,7 +302,8 @@ def _of(packing: ComparedPacking, way: str) -> Stiffness:
     return Stiffness.transversely_isotropic(c1111, c3333, c1122, c1133, c2323, (c1111 - c1122) / 2)
 
 
-def _bulk(packing: ComparedPacking, way: str) -> float:
+def bulk_modulus(packing: ComparedPacking, way: str) -> float:
+    """Bulk modulus of a packing, found in one way [Pa]."""
     return engineering_constants(_of(packing, way)).K
 
 
