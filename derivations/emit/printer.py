@@ -60,7 +60,9 @@ class ArithmeticPrinter(PythonCodePrinter):
             return f"1/{self._factor(expr.base)}"
         if expr.exp in (2, 3) and expr.base.is_Symbol:
             return "*".join([self._print(expr.base)] * int(expr.exp))
-        return f"{self._factor(expr.base)}**{self._print(expr.exp)}"
+        power = self._print(expr.exp)
+        whole_or_name = expr.exp.is_Integer or expr.exp.is_Symbol
+        return f"{self._factor(expr.base)}**{power if whole_or_name else f'({power})'}"
 
 
 def _unevaluated(expr: sp.Mul) -> bool:

@@ -31,11 +31,11 @@ def polynomial(coefficients: tuple[float, ...], v: float) -> float:
 def scalar_module(derivation: Derivation) -> str:
     """Return the text of ``granular/generated/NAME.py``."""
     series, units = all_series(derivation), output_units(derivation)
-    bodies = [_function(function, assignments(function), function.operations(), units)
+    bodies = [scalar_function(function, assignments(function), function.operations(), units)
               for function in derivation.functions]
     whole = end_to_end(derivation)
     if whole is not None:
-        bodies.append(_function(whole, chained_body(derivation), end_to_end_operations(derivation), units))
+        bodies.append(scalar_function(whole, chained_body(derivation), end_to_end_operations(derivation), units))
     imports = ["from __future__ import annotations\n"]
     if called_functions(bodies):
         imports.append(f"from math import {called_functions(bodies)}")
@@ -45,7 +45,8 @@ def scalar_module(derivation: Derivation) -> str:
     return "\n".join(parts) + "\n\n" + "\n\n".join(blocks)
 
 
-def _function(function: Function, body: str, operations: int, units: dict[sp.Symbol, str]) -> str:
+def scalar_function(function: Function, body: str, operations: int, units: dict[sp.Symbol, str]) -> str:
+    """Return the text of one function."""
     arguments = ", ".join(f"{a.name}: float" for a in function.arguments)
     returns = ", ".join(["float"] * len(function.returns))
     signature = f"def {function.name}({arguments}) -> tuple[{returns}]:"

@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 
 import pytest
-from page_tools.emitted import PAGE_OF
+from page_tools.emitted import PAGE_OF, SHEET
 from page_tools.formulas import of_steps
 from page_tools.markup import boxed, numbers_to_take_away, plain, table
 from page_tools.provenance import DATA_FILES
@@ -106,11 +106,13 @@ def test_a_box_shows_formulas_of_the_record() -> None:
 
 def test_every_derivation_has_its_page(book: Path) -> None:
     """Breaks when a derivation is added and the formula sheet or the list of pages does not know it."""
-    sheet = (book / "formulas.md").read_text(encoding="utf-8")
+    assert sorted(name for listed in SHEET.values() for name in listed) == sorted(names())
+    sheets = {name: (book / f"{page}.md").read_text(encoding="utf-8") for page, listed in SHEET.items()
+              for name in listed}
     for name in names():
         page = (book / f"{PAGE_OF[name]}.md").read_text(encoding="utf-8")
         assert name in page, name
-        assert f"_formulas/{name}.md" in sheet, name
+        assert f"_formulas/{name}.md" in sheets[name], name
 
 
 def test_every_data_file_is_listed(book: Path) -> None:

@@ -139,6 +139,8 @@ def test_printer_keeps_brackets() -> None:
     assert python_source((a + b) * c) == "c*(a + b)"
     assert python_source(sp.sqrt(a + b)) == "sqrt(a + b)"
     assert python_source(sp.Rational(1, 2) / sp.sqrt(a)) == "1/(2*sqrt(a))"
+    assert python_source(a ** sp.Rational(2, 3)) == "a**(2/3)"
+    assert python_source(a ** (2 * b)) == "a**(2*b)"
 
 
 def test_emitted_files_name_no_place_and_no_time(emitted: dict[str, str]) -> None:

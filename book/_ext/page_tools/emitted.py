@@ -17,11 +17,23 @@ PAGE_OF = {"fabric": "fabric", "fabric_kinds": "fabric_tensors", "equations": "k
 """The page that shows each derivation with its steps."""
 
 
+SHEET = {"formulas_fabric": ("fabric", "equations", "gradation", "fabric_kinds"),
+         "formulas_stiffness": ("kinematic_constant", "static_constant", "isotropic", "kinematic_three", "static_three",
+                                "general_constant", "spheroid"),
+         "formulas_forces": ("contact_forces", "mohr_circle", "kinetic_components", "kinetic", "partial_slip",
+                             "slip_table", "kinetic_limits"),
+         "formulas_use": ("engineering", "waves", "first_order_fabric", "gradients")}
+"""The derivations on each page of the formula sheet."""
+
+
 def emitted_files() -> Markup:
-    """List every derivation with its page, its cost before and after simplification and its digest."""
+    """List every derivation with its pages, the equations it is from, its cost and its digest."""
     index = json.loads(files("granular.generated").joinpath("index.json").read_text(encoding="utf-8"))
-    rows = [[f"[{plain(entry['title'])}]({PAGE_OF[name]}.md)", f"`{name}`",
-             f"{entry['operations_before']} → {entry['operations_after'] or '–'}", f"`{entry['sha256'][:12]}`"]
-            for name, entry in index.items()]
-    return table(["derivation", "name", "operations", "SHA-256"], rows, label="tab-emitted", align="llrl",
-                 caption="Derivations; arithmetic operations of the outputs as derived → in the emitted functions.")
+    rows = [[f"[{plain(index[name]['title'])}]({PAGE_OF[name]}.md)", f"[`{name}`]({page}.md)",
+             ", ".join(index[name]["sources"]) or "–",
+             f"{index[name]['operations_before']} → {index[name]['operations_after'] or '–'}",
+             f"`{index[name]['sha256'][:8]}`"]
+            for page, names in SHEET.items() for name in names]
+    return table(["derivation", "on the sheet", "from", "operations", "SHA-256"], rows, label="tab-emitted",
+                 align="lllrl", caption="Derivations, the equations of the paper that they start from or reach, and "
+                 "arithmetic operations of the outputs as derived → in the emitted functions.")
