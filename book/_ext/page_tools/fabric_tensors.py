@@ -56,6 +56,11 @@ def _drawn_lists() -> tuple[tuple[str, Any], ...]:
             ("$D_{11}, D_{22}, D_{33} = -0.9, 0, 0.9$", directions_of(three, DRAWN, seed=3)))
 
 
+def drawn_directions(number: int) -> Any:
+    """Directions of one of the drawn lists, counted from zero."""
+    return _drawn_lists()[number][1]
+
+
 def packing_rose() -> Static:
     """Rose diagrams of the packing."""
     return Static(rose(normals()))
@@ -63,7 +68,7 @@ def packing_rose() -> Static:
 
 def drawn_rose() -> Static:
     """Rose diagrams of the second drawn list, about the vertical."""
-    return Static(rose(_drawn_lists()[1][1]))
+    return Static(rose(drawn_directions(1)))
 
 
 def packing_values() -> Markup:
