@@ -15,8 +15,9 @@ from granular.figures.cost_chooser_script import SCRIPT
 from granular.figures.cost_data import series
 from granular.figures.cost_pareto import LEAST, LOOKS, OTHER_LOOK, PALE, by_family, places, size
 from granular.figures.cost_selection import error_of, front, in_hindsight, promised_for, time_of
+from granular.figures.drawn_data import Series, as_rows
 from granular.figures.look import INK, VERMILION, plotly_layout
-from granular.figures.page import Interactive
+from granular.figures.page import Interactive, numbers_link
 
 if TYPE_CHECKING:
     from granular.cost.records import Cost
@@ -246,10 +247,19 @@ class CostChooser:
                 f'<label>Accuracy <input type="range" min="0" max="{len(ACCURACIES) - 1}" step="1" value="{wanted}" '
                 f'aria-label="wanted accuracy"/> <output class="wanted">{power(ACCURACIES[wanted])}</output></label>'
                 f'</div><div role="figure" aria-label="{DESCRIPTION}">'
-                f"{Interactive(self.figure(), self.name)._repr_html_()}</div>{self._legend()}"
+                f"{Interactive(self.figure(), self.name).element()}</div>{self._legend()}"
                 f'<p class="answer" aria-live="polite">{states[place]["answers"][wanted]["words"]}</p>'
                 f'<script type="application/json">{content}</script>'
-                f"<script>{SCRIPT.replace('NAME', self.name)}</script></div>")
+                f"<script>{SCRIPT.replace('NAME', self.name)}</script></div>"
+                f"{numbers_link(self.name, as_rows(self._series()))}")
+
+    def _series(self) -> list[Series]:
+        """The points of all scenes, a panel each."""
+        names = [look["name"] for look in _looks(*self._names())]
+        return [Series(scene.label, name, {"time over that of the unit [-]": trace["x"],
+                                           "relative error of worst component [-]": trace["y"]})
+                for scene, state in zip(self.data.scenes, self.states(), strict=True)
+                for name, trace in zip(names, state["traces"], strict=True) if trace["x"]]
 
 
 _STYLE = """

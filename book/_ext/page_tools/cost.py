@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from functools import lru_cache
 
 from granular.cost import timing
@@ -10,7 +9,6 @@ from granular.cost.records import OUTSIDE, PRODUCT
 from granular.figures.cost_chooser import CostChooser
 from granular.figures.cost_data import CostData, MeasuredScene, read_cost_data
 from granular.figures.cost_pareto import pareto
-from granular.figures.files import static_bytes
 from page_tools.cost_tables import (
     STYLE,
     failures,
@@ -22,6 +20,7 @@ from page_tools.cost_tables import (
 )
 from page_tools.cost_words import alt, caption, finding, kept, overall
 from page_tools.markup import Markup
+from page_tools.pictures import pictured
 
 DATA = "_data/cost.json"
 
@@ -59,9 +58,7 @@ def of_scene(name: str) -> Markup:
 
 def _figure(scenes: tuple[MeasuredScene, ...]) -> str:
     """Put the picture into the page itself, so that caption and description can be computed with it."""
-    picture = base64.b64encode(static_bytes(pareto(scenes), "svg")).decode()
-    return (f":::{{figure}} data:image/svg+xml;base64,{picture}\n:name: fig-cost-{scenes[0].name}\n"
-            f":alt: {alt(scenes)}\n\n{caption(scenes)}\n:::")
+    return pictured(pareto(scenes), name=f"fig-cost-{scenes[0].name}", alt=alt(scenes), caption=caption(scenes)).text
 
 
 def _folded(scenes: tuple[MeasuredScene, ...]) -> str:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import base64
 from functools import lru_cache
 
 from granular.figures.cost_pareto import size
-from granular.figures.files import static_bytes
 from granular.figures.page import Interactive
 from granular.figures.speed import curves, effect_costs, scaling, scaling_interactive
 from granular.speed.comparisons import MET, catalogue
@@ -16,6 +14,7 @@ from granular.speed.store import Row, Study, read
 from page_tools.cost_tables import STYLE
 from page_tools.cost_words import capital, short
 from page_tools.markup import Described, Markup, plain, table
+from page_tools.pictures import pictured
 
 DATA = "_data/speed.json"
 
@@ -44,8 +43,8 @@ def scaling_figure() -> Markup:
     alt = ("Time of one assembly against how many are computed in one call, both on logarithmic axes: "
            + "; ".join(f"{curve.name} from {_time(curve.nanoseconds[0])} to {_time(curve.nanoseconds[-1])}"
                        for curve in named.values()))
-    return _figure(static_bytes(scaling(study), "svg"), "fig-speed-scaling", alt,
-                   f"Calls cost until there are some thousand assemblies; from then on the kernels do. {each}")
+    return pictured(scaling(study), name="fig-speed-scaling", alt=alt, caption=(
+        f"Calls cost until there are some thousand assemblies; from then on the kernels do. {each}"))
 
 
 def scaling_to_explore() -> Described:
@@ -62,12 +61,7 @@ def effects(name: str) -> Markup:
                f"({dearest.name}) {_time(dearest.nanoseconds)}. Errors: {row.errors}.")
     each = "; ".join(f"{way.name} {_time(way.nanoseconds)}" for way in row.ways)
     alt = f"Bars of the time of one {row.each}: {each}"
-    return _figure(static_bytes(effect_costs(row), "svg"), f"fig-speed-{name}", alt, caption)
-
-
-def _figure(picture: bytes, name: str, alt: str, caption: str) -> Markup:
-    data = base64.b64encode(picture).decode()
-    return Markup(f":::{{figure}} data:image/svg+xml;base64,{data}\n:name: {name}\n:alt: {alt}\n\n{caption}\n:::\n")
+    return pictured(effect_costs(row), name=f"fig-speed-{name}", alt=alt, caption=caption)
 
 
 def wanted() -> Markup:
