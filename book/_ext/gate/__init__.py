@@ -1,0 +1,1 @@
+"""The gate on the built book, one kind of fault a file."""
