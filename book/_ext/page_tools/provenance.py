@@ -31,6 +31,13 @@ DATA_FILES = {
     "_data/nearly_isotropic.toml": "scene of a soil that is nearly isotropic",
     "_data/tilted_fabric.toml": "scene of a tilted deposit, without an axis",
     "_data/sweep.toml": "sweep of the page on sweeps",
+    "_data/soil.toml": "scene of the first five minutes",
+    "_data/lab_sieve.csv": "sieve curve made up for the tutorial for the laboratory",
+    "_data/lab_sand.toml": "its scene",
+    "_data/lab_equal.toml": "the same with grain sizes left out",
+    "_data/lab_speeds.toml": "wave speeds made up for it",
+    "_data/lab_ratio.toml": "the same with one state of stress more",
+    "_data/many_lists.py": "script of the tutorial on simulated packings",
     "_data/dem.json": "sums, model and probes of packings from a discrete-element program",
 }
 

@@ -219,10 +219,10 @@ def ratio_words() -> Markup:
     _, worst = combinations_at(problem, least.unknowns)
     free = len(Data.from_toml(DATA / RATIO).measurements) - least.unknowns.size
     narrower = fitted(f"_data/{SPEEDS}").combinations[1].standard_error / worst.standard_error
-    return Markup(f"Fitted together, all four states give a chi-square of {least.chi_square:.0f} with {free} degrees of "
-                  f"freedom. The standard errors become small all the same, that of the worse combination "
-                  f"{narrower:.0f} times smaller than before, and mean nothing: **look at chi-square before you look at "
-                  "the estimates.**\n")
+    return Markup(f"Fitted together, all four states give a chi-square of {least.chi_square:.0f} with {free} "
+                  f"degrees of freedom. The standard errors become small all the same, that of the worse combination "
+                  f"{narrower:.0f} times smaller than before, and mean nothing: **look at chi-square before you "
+                  "look at the estimates.**\n")
 
 
 def report() -> Markup:
