@@ -38,6 +38,7 @@ def test_printed_tables_are_explained() -> None:
         "rule, rounded", "rule, cut", "1 by symmetry", "misprint for 0.857", "misprint for 0.774"}
     assert len(taken_away(paper_panels.verdicts().text)) == 1 + 18
     assert "it alone does" in paper_panels.which_panels().text
+    assert "of Table V, 2" in paper_panels.what_separates(22, 30).text
     assert taken_away(paper_panels.panel_counts(24, 24).text)[1] == ["24", "16", "2", "0", "16"]
 
 

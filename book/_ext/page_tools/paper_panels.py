@@ -75,8 +75,8 @@ def which_panels() -> Markup:
 def what_separates(first: int, last: int) -> Markup:
     """Say which ratios no other number of panels gives; there must be some."""
     others = [panels for panels in range(first, last + 1) if panels != PANELS]
-    missed = [{ratio for ratio, kind in _verdicts(panels) if kind == "no"} for panels in others]
-    always = [ratio for ratio in independent() if all(ratio in found for found in missed)]
+    missed = [[kind == "no" for _, kind in _verdicts(panels)] for panels in others]
+    always = [ratio for ratio, *misses in zip(independent(), *missed, strict=True) if all(misses)]
     assert always, "no ratio tells the numbers of panels apart by itself"
     named = " and ".join(f"{typeset(ratio.name)} of Table {ratio.table}, {ratio.label}" for ratio in always)
     return Markup(f"No other number of panels from {first} to {last} gives {named}.\n")
