@@ -67,11 +67,11 @@ def _inline(text: str) -> str:
 
 def _typeset(text: str) -> str:
     """Plain text with its powers raised and the indices of single letters lowered."""
-    lowered = _LOWERED.sub(r"\1{sub}`\2`", _quoted(text))
+    lowered = _LOWERED.sub(r"\1{sub}`\2`", quoted(text))
     return _RAISED.sub(lambda power: f"{{sup}}`{(power[1] or power[2]).replace('-', '−')}`", lowered)
 
 
-def _quoted(text: str) -> str:
+def quoted(text: str) -> str:
     """Plain text; values between quotation marks are code."""
     shown, end = [], 0
     for value in _QUOTED.finditer(text):
@@ -140,9 +140,9 @@ def typed(text: str) -> str:
     shown, end = [], 0
     for word in _CLASS.finditer(text):
         if word[0] in _classes():
-            shown += [_quoted(text[end:word.start()]), role(_classes()[word[0]], word[0])]
+            shown += [quoted(text[end:word.start()]), role(_classes()[word[0]], word[0])]
             end = word.end()
-    return "".join([*shown, _quoted(text[end:])])
+    return "".join([*shown, quoted(text[end:])])
 
 
 def refusals(text: str) -> str:
