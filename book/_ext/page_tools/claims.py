@@ -117,6 +117,20 @@ def cut_table() -> Markup:
                          "share of the volume beyond the largest one for the widest gradation.")
 
 
+def cut_words() -> Markup:
+    """Say what the cuts leave out of the widest gradation: little of the volume and much of the number."""
+    widest = Lognormal(1.0, SPREADS[-1])
+    largest = widest.median * widest.spread**EARLIER_CUT
+    coarser = widest.fraction_finer(widest.median_by_volume**2 / largest)
+    whole = literal(widest.spread).kinematic
+    by_size, by_volume = (1 - one.kinematic / whole for one in (
+        cut(widest.spread, EARLIER_CUT, about="printed"), cut_by_volume(widest.spread, SHARES[1])))
+    return Markup(
+        f"For $s_r = {widest.spread:g}$ the number depends on grains that no sieve will ever find. The cut at "
+        f"{EARLIER_CUT:g} spreads leaves out {_share(coarser)} of the volume and {100 * by_size:.0f} % of the number. "
+        f"A share of {_share(SHARES[1])} of the volume, cut off at either end, takes {100 * by_volume:.0f} % of it.\n")
+
+
 def readings_table() -> Markup:
     """List the kinematic and the static number of every reading."""
     rows = []
