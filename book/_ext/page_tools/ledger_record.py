@@ -106,7 +106,8 @@ EQUATIONS = (
           "granular/test_directions.py::test_averages_over_the_sphere_are_one", ("granular.fabric.AxialFabric",)),
     Entry("(15)", "branch lengths alike in all directions", DEFINITION,
           f"{GRAINS}::test_sizes_multiply_the_stiffness_of_equal_spheres", ("granular.evaluation.evaluate",)),
-    Entry("(16)", "lengths of all branches", CONFIRMED, f"{LENGTHS}::test_total_density_by_its_definition", DENSITIES),
+    Entry("(16)", "lengths of all branches", ((Verdict.CONFIRMED, ""), (Verdict.MISPRINT, "sec-erratum-limits")),
+          f"{LENGTHS}::test_total_density_by_its_definition", DENSITIES),
     Entry("(17)", "lengths of the branches in one direction", DEFINITION,
           f"{LENGTHS}::test_certified_second_moments", DENSITIES),
     Entry("(18)", "lognormal sizes", DEFINITION, f"{SIZES}::test_eq_18_as_printed",
@@ -177,6 +178,8 @@ FIGURES = (
 )
 
 TEXT = (
+    Entry("introduction", "which hypothesis gives which bound", ((Verdict.MISPRINT, "sec-erratum-hypotheses"),),
+          "granular/test_bounds.py::test_order_of_the_bounds", ("granular.array_stiffness.axial_stiffness",), "static"),
     Entry("below (19)", "$r_{50}$ is the sample mean", ((Verdict.MISPRINT, "sec-erratum-mode"),),
           f"{SIZES}::test_the_printed_median_is_the_mode", ("granular.gradation.lognormal.Lognormal",), "gradation"),
     Entry("text on $r_{pqik}$", "branches along the normals are adequate", ((Verdict.REFUTED, "sec-collinear"),),
@@ -198,6 +201,10 @@ TEXT = (
           ((Verdict.MISPRINT, "sec-erratum-shear"),),
           "granular/test_elasticity.py::test_the_papers_c44_is_horizontal_shear",
           ("granular.elastic_tensor.ElasticTensor.voigt",), "conventions"),
+    Entry("text, Table V", "the first invariant $I_1$ remains constant", ((Verdict.MISPRINT, "sec-erratum-invariant"),),
+          "book/test_errata_page.py::test_every_proof_holds", ("granular.loading.Loading",), "table_v"),
+    Entry("Appendix I", "its title: a kinetic hypothesis", ((Verdict.MISPRINT, "sec-erratum-appendix"),),
+          "book/test_errata_page.py::test_every_proof_holds", (), "forces"),
     Entry("text below Table II", "horizontal shear waves are the fastest", ((Verdict.REFUTED, "sec-other-claims"),),
           "derivations/test_waves.py::test_the_claim_is_not_general", ("granular.waves.waves",)),
 )
