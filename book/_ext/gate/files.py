@@ -45,7 +45,8 @@ class Page(html.parser.HTMLParser):
         if "plotly-graph-div" in given.get("class", "") and not self._in_words:
             self.unnamed_pictures.append(given.get("id", "?"))
         self._in_words = bool(given.get("aria-label")) or (tag == "div" and not given.get("class") and self._in_words)
-        self.has_pictures |= tag in {"img", "select", "input"} or "plotly-graph-div" in given.get("class", "")
+        self.has_pictures |= (tag in {"img", "select"} or given.get("type") == "range"
+                              or "plotly-graph-div" in given.get("class", ""))
         # Sphinx writes the file name where an author gave no words.
         if tag == "img" and (not given.get("alt") or "_images/" in given["alt"]):
             self.unnamed_pictures.append(given.get("src", "?"))
