@@ -37,7 +37,8 @@ MEASURED_IN_FORMULA = re.compile(r"\d\.\d|10\^|(?<![_{\d])\d{4,}")
 _COUNT = "(?:two|three|four|five|six|seven|eight|nine|ten|twelve|twenty|thirty|fifty|a hundred|a thousand|a million)"
 IN_WORDS = re.compile(
     r"\b(?:an?|one|two|three|nine) (?:quarter|fifth|sixth|seventh|eighth|ninth|tenth|twentieth|\w*hundredth"
-    rf"|\w*thousandth|\w*millionth)s?\b|\bfactor of (?:about |nearly )?{_COUNT}\b|\b{_COUNT} times (?:as|more|the|larger|smaller)\b"
+    rf"|\w*thousandth|\w*millionth)s?\b|\bfactor of (?:about |nearly )?{_COUNT}\b"
+    rf"|\b{_COUNT} times (?:as|more|the|larger|smaller)\b"
     rf"|\b(?:{_COUNT}|half a|a) per ?cent\b|\b{_COUNT} (?:digits|orders of magnitude)\b")
 """Sizes that are said in words were measured, too."""
 
