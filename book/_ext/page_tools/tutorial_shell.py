@@ -57,7 +57,7 @@ def shell(line: str, *parts: str, status: int = 0) -> Markup:
         if len(chosen) < len(parts):
             raise AssertionError(f"{line}: the answer has not all of {parts}")
         text = _with_cuts(shown, chosen)
-    typed = "\n".join(wrapped(f"$ {one}") for one in line.splitlines())
+    typed = _typed(line)
     text = "\n".join(folded for one in text.splitlines() for folded in _folded(one))
     return Markup(f"```console\n{typed}\n{text.rstrip()}\n```\n".replace("\n\n```", "\n```"))
 
@@ -71,13 +71,22 @@ def run(line: str, place: Path, status: int = 0) -> str:
         Another exit code than the expected one; with what was written.
     """
     about = {name: value for name, value in os.environ.items() if name not in COLOURED}
-    about |= {"COLUMNS": str(WIDTH), "PYTHONUTF8": "1",
+    about |= {"COLUMNS": str(WIDTH), "PYTHONUTF8": "1", "PYTHONUNBUFFERED": "1",
               "PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])}
     done = subprocess.run(["bash", "-c", line], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           encoding="utf-8", env=about, cwd=place)
     if done.returncode != status:
         raise AssertionError(f"{line}: exit code {done.returncode}, not {status}\n{done.stdout}")
     return done.stdout
+
+
+def _typed(line: str) -> str:
+    """Commands as a reader sees them typed; what goes on from the line before has no prompt."""
+    shown, goes_on = [], False
+    for one in line.splitlines():
+        shown.append(one if goes_on else wrapped(f"$ {one}"))
+        goes_on = one.endswith("\\")
+    return "\n".join(shown)
 
 
 def _folded(line: str) -> list[str]:
