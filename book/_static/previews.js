@@ -61,6 +61,7 @@
     tip.addEventListener("pointerleave", leave);
     document.body.append(tip);
     link.setAttribute("aria-describedby", tip.id);
+    link.removeAttribute("title");  // it would say the same once more
     const images = [...tip.querySelectorAll("img")].map(image => image.decode().catch(() => {}));
     await Promise.all([window.MathJax?.typesetPromise?.([tip]), ...images]);
     if (owner !== wanted) return;

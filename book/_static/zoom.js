@@ -16,13 +16,13 @@
     const close = document.createElement("button");
     close.type = "button";
     close.textContent = "Close";
-    dialog.append(space, close);
+    dialog.append(close, space);
     dialog.addEventListener("click", () => dialog.close());
+    dialog.addEventListener("keydown", event => { if (event.key === "Escape") dialog.close(); });
     dialog.addEventListener("close", () => { dialog.remove(); picture.focus({ preventScroll: true }); });
     document.body.append(dialog);
     dialog.showModal();
     space.focus();
-    space.scrollLeft = (space.scrollWidth - space.clientWidth) / 2;
   };
 
   const ready = () => document.querySelectorAll(FIGURES).forEach(picture => {
