@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
+from granular.figures.contour_names import on_path
 from granular.figures.look import (
     INK,
     MAP,
@@ -213,39 +214,8 @@ def draw_map(axes: Axes, values: Array, name: str) -> None:
                   extend="both", alpha=0.6)
     lines = axes.contour(D33, Dr33, values, levels=levels, colors=INK, negative_linestyles="solid",
                          linewidths=[2.0 if level == isotropic else 0.7 for level in levels])
-    axes.clabel(lines, fontsize=9, inline_spacing=2, manual=places_of_names(values, levels), fmt=_minus)
+    axes.clabel(lines, fontsize=9, inline_spacing=2, manual=on_path(D33, Dr33, values, levels, ALONG), fmt=_minus)
     first_order(axes)
-
-
-def places_of_names(values: Array, levels: Sequence[float]) -> list[tuple[float, float]]:
-    """Where the names of lines stand: at the first crossing with a fixed path, so that none is cut at an edge.
-
-    Parameters
-    ----------
-    values : (m, n) array
-        One value for each point of ``grid`` [any unit].
-    levels : sequence of float
-        Values of the lines [same unit].
-
-    Returns
-    -------
-    list of tuple of 2 float
-        D33 and Dr33 [-], for each line that crosses the path.
-
-    Notes
-    -----
-    Accuracy: the path is followed in steps of half a per cent. Source: ``ALONG``.
-    """
-    import numpy as np
-    from scipy.interpolate import RegularGridInterpolator
-
-    turns = np.linspace(0, len(ALONG) - 1, len(ALONG))
-    path = np.stack([np.interp(np.linspace(0, turns[-1], 401), turns, part)
-                     for part in zip(*ALONG, strict=True)], axis=1)
-    D33, Dr33 = grid()
-    along = RegularGridInterpolator((Dr33, D33), values)(path[:, ::-1])
-    crossed = [np.flatnonzero(np.diff(np.sign(along - level))) for level in levels]
-    return [(float(path[found[0], 0]), float(path[found[0], 1])) for found in crossed if found.size]
 
 
 def _minus(value: float) -> str:

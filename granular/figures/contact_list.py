@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 ROSES, FORCES, STIFFNESS, ALL = LIST_FIGURES = ("roses", "forces", "stiffness", "all")
 """Figures of a contact list by name."""
 
-ANGLE = "angle from axis 3 [deg]"
+ANGLE = "angle from axis 3, $\\beta$ [°]"
 UNITS = {FORCES: ("contact force [N]", 1.0), STIFFNESS: ("contact stiffness [kN/m]", 1e-3)}
 """What stands at the axis, and what one SI unit is in it."""
 
@@ -39,7 +39,7 @@ LONG_NOTES = {FORCES: "bands: scatter of single contacts; dashed: eq. (23)",
 
 
 _SHOWN = {FORCES: (("normal_force", "$f_n$", "normal force", BLUE),
-                   ("meridian_force", "$f_s$ up", "shear force towards axis 3", VERMILION)),
+                   ("meridian_force", "$f_s$", "shear force towards axis 3", VERMILION)),
           STIFFNESS: (("kn", "$k_n$", "normal stiffness", GREEN), ("ks", "$k_s$", "shear stiffness", ORANGE))}
 
 
@@ -310,8 +310,8 @@ def draw_rose(axes: Axes, summary: ContactSummary, directions: str = NORMALS) ->
     # theta_offset puts axis 3 upwards, and angles run from there to the horizontal
     axes.set(theta_offset=np.pi / 2, theta_direction=-1, thetamin=0, thetamax=90,
              xticks=np.radians([0, 30, 60, 90]), yticks=[0.5, 1.0], ylim=(0, 1.1 * max(1.0, float(density.max()))))
-    axes.set_title(title, fontsize=8.5)
-    axes.tick_params(axis="y", labelsize=7.5)
+    axes.set_title(title, fontsize=9)
+    axes.tick_params(axis="y", labelsize=9)
 
 
 def _draw_curves(axes: Axes, summary: ContactSummary, panel: str, *, large: bool = False) -> None:
@@ -320,11 +320,13 @@ def _draw_curves(axes: Axes, summary: ContactSummary, panel: str, *, large: bool
     for place, curve in enumerate(curves_of(summary, panel)):
         axes.fill_between(angles, curve.mean - curve.scatter, curve.mean + curve.scatter, color=curve.colour,
                           alpha=0.15, linewidth=0)
-        axes.plot(angles, curve.mean, color=curve.colour, marker="o", markersize=2.5, linewidth=1.2)
+        axes.plot(angles, curve.mean, color=curve.colour, marker="os"[place], markersize=3, linewidth=1.2)
         if curve.estimate is not None:
             axes.plot(angles, curve.estimate, color=curve.colour, linestyle=(0, (3, 1.6)), linewidth=1.3)
-        at, text = ((0.97, 0.97 - 0.08 * place), curve.name) if large else ((0.97 - 0.24 * place, 0.97), curve.symbol)
-        axes.text(*at, text, color=readable(curve.colour), transform=axes.transAxes, ha="right", va="top")
-    axes.set(xlim=(0, 90), xticks=range(0, 91, 15 if large else 30), xlabel=ANGLE, ylabel=UNITS[panel][0])
+        at, text = ((0.97, 0.97 - 0.08 * place), curve.name) if large else ((0.97 - 0.34 * place, 0.97), curve.symbol)
+        axes.text(*at, f"{'●■'[place]} {text}", color=readable(curve.colour), transform=axes.transAxes,
+                  ha="right", va="top")
+    axes.set(xlim=(0, 90), xticks=range(0, 91, 15 if large else 30),
+             xlabel=ANGLE if large else "angle $\\beta$ [°]", ylabel=UNITS[panel][0])
     axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
-    axes.set_title((LONG_NOTES if large else NOTES)[panel], fontsize=8.5, color=SOFT_INK)
+    axes.set_title((LONG_NOTES if large else NOTES)[panel], fontsize=9, color=SOFT_INK)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 from granular.contacts.moments import DIRECTIONS
 from granular.figures.contact_list import (
     ALL,
-    ANGLE,
     FORCES,
     LONG_NOTES,
     ROSES,
@@ -79,7 +78,7 @@ def contact_list_interactive(summary: ContactSummary, what: str = ALL) -> Any:
                 _add_curve(figure, summary, curve, row)
             names = [f'<b style="color:{readable(curve.colour)}">{curve.name}</b>' for curve in curves]
             _add_title(figure, row, 1, "<br>".join([", ".join(names), LONG_NOTES[panel]]), shift=4)
-            figure.update_xaxes(title={"text": ANGLE}, range=[0, 90], dtick=15, row=row, col=1)
+            figure.update_xaxes(title={"text": "angle from axis 3, β [°]"}, range=[0, 90], dtick=15, row=row, col=1)
             figure.update_yaxes(title={"text": UNITS[panel][0]}, rangemode="tozero", row=row, col=1)
     return figure
 

@@ -106,7 +106,7 @@ def _panel(axes: Axes, scene: MeasuredScene) -> None:
         axes.plot(time, error, marker="o", markersize=11, markerfacecolor="none", color=INK, markeredgewidth=1.3,
                   linestyle="none", zorder=5, label="the paper's rule")
         axes.annotate(f"the paper's\n{paper.setting}", (time, error), xytext=(time, 0.99),
-                      textcoords=axes.get_xaxis_transform(), fontsize=8.5, va="top", ha="left", linespacing=1.05,
+                      textcoords=axes.get_xaxis_transform(), fontsize=9, va="top", ha="left", linespacing=1.05,
                       zorder=6, arrowprops={"arrowstyle": "-", "color": INK, "linewidth": 0.7, "shrinkB": 5.5,
                                             "relpos": (0, 0), "shrinkA": 0})
     axes.set_title(str(scene.hypothesis))

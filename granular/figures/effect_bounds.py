@@ -56,7 +56,7 @@ def _panel(panel: Axes, sweep: Sweep) -> None:
         found = points(sweep, hypothesis)
         bounded = [point for point in found if math.isfinite(point.bound)]
         panel.loglog([point.strength for point in bounded], [point.bound for point in bounded], color=colour,
-                     label=f"bound, {hypothesis}")
+                     linestyle="--" if hypothesis is Hypothesis.STATIC else "-", label=f"bound, {hypothesis}")
         panel.loglog([point.strength for point in found], [point.change for point in found], color=colour,
                      linestyle="none", label=f"change, {hypothesis}", **mark)
     panel.axhline(SHARE * RTOL, color=SOFT_INK, linestyle=":", linewidth=1.2, zorder=1)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from granular.figures.look import BLUE, INK, SKY, SOFT_INK, VERMILION, blank, house_style, readable
+from granular.figures.look import BLUE, INK, SKY, SOFT_INK, VERMILION, blank, house_style, key_of
 from granular.figures.surfaces import frame_section
 
 if TYPE_CHECKING:
@@ -19,6 +19,12 @@ if TYPE_CHECKING:
 
 ERRORS = 1.96
 """Half-length of the bars, in standard errors: intervals of 95 %."""
+
+COUNTED: dict[str, Any] = {"facecolor": SKY, "edgecolor": "white", "linewidth": 0.6, "alpha": 0.55}
+ISOTROPIC: dict[str, Any] = {"color": SOFT_INK, "linestyle": ":", "linewidth": 1.0}
+IMPLIED: dict[int, dict[str, Any]] = {2: {"color": BLUE, "linestyle": (0, (3, 1.6)), "linewidth": 1.4},
+                                      4: {"color": VERMILION, "linestyle": "-", "linewidth": 1.4}}
+"""Looks of bins, of an isotropic fabric, and of the implied density by its rank."""
 
 
 @house_style
@@ -76,16 +82,15 @@ def rose(directions: ArrayLike, weights: ArrayLike | None = None, *, axis: Array
     for place, (bins, from_top, title, curve, (across, upward)) in enumerate(panels):
         axes = figure.add_axes((0.085 + 0.505 * place, 0.135, 0.4, 0.72))
         _wedges(axes, bins, from_top=from_top)
-        axes.plot(np.cos(turn), np.sin(turn), color=SOFT_INK, linestyle=":", linewidth=1.0)
-        for rank, colour, line in ((2, BLUE, (0, (3, 1.6))), (4, VERMILION, "-")):
+        axes.plot(np.cos(turn), np.sin(turn), **ISOTROPIC)
+        for rank, line in IMPLIED.items():
             x, y = (np.sin(turn), np.cos(turn)) if from_top else (np.cos(turn), np.sin(turn))
-            axes.plot(curve(rank) * x, curve(rank) * y, color=colour, linestyle=line, linewidth=1.4)
+            axes.plot(curve(rank) * x, curve(rank) * y, **line)
         reach = max(float((bins.density + ERRORS * bins.error).max()), float(curve(4).max()), float(curve(2).max()))
         frame_section(axes, 1.06 * reach, across=f"{across} [–]", upward=f"{upward} [–]", ticks=5)
         axes.set_title(title, pad=4)
-    for left, text, colour in ((0.085, "counted", SKY), (0.28, "isotropic", SOFT_INK),
-                               (0.5, "implied, rank two", BLUE), (0.76, "implied, rank four", VERMILION)):
-        figure.text(left, 0.985, text, color=readable(colour), va="top")
+    key_of(figure, (("counted", COUNTED), ("isotropic", ISOTROPIC), ("implied, rank two", IMPLIED[2]),
+                    ("implied, rank four", IMPLIED[4])), height=0.945)
     return figure
 
 
@@ -101,7 +106,7 @@ def _wedges(axes: Axes, bins: Bins, *, from_top: bool) -> None:
         for mirror, half in ((1, 0.0), (1, np.pi), *(((-1, 0.0), (-1, np.pi)) if from_top else ())):
             polygons.append(_points(mirror * arc + half, height, from_top=from_top, centre=True))
         bars.append(_points(np.full(2, middle), np.maximum(ends, 0), from_top=from_top))
-    axes.add_collection(PolyCollection(polygons, facecolor=SKY, edgecolor="white", linewidth=0.6, alpha=0.55))
+    axes.add_collection(PolyCollection(polygons, **COUNTED))
     for bar in bars:
         axes.plot(*bar.T, color=INK, linewidth=0.8, alpha=0.7)
 

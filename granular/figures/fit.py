@@ -109,7 +109,7 @@ def draw_map(axes: Axes, result: Fit, *, label: bool = True) -> None:
     axes.set(xlim=(left, right), ylim=(bottom, top), xlabel="$D_{33}$ [–]", ylabel="$D^r_{33}$ [–]")
     if label:
         axes.text(0.97, 0.96, "68 % and 95 % regions\n" + _valley(weights), transform=axes.transAxes, ha="right",
-                  va="top", color=SOFT_INK, fontsize=8.5)
+                  va="top", color=SOFT_INK, fontsize=9)
 
 
 def _mesh(result: Fit, left: float, right: float) -> tuple[Array, Array]:

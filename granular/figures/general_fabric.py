@@ -165,7 +165,7 @@ def _sphere(axes: Axes, bar: Axes, fabric: GeneralFabric, loading: GeneralLoadin
         x, y = projected(np.array(direction))
         axes.plot(x, y, sign, color="white", markeredgecolor=INK, markersize=6)
         below = text == "nearest axis"
-        axes.annotate(text, (x, y), (0, -8 if below else 8), textcoords="offset points", color=INK, fontsize=8.5,
+        axes.annotate(text, (x, y), (0, -8 if below else 8), textcoords="offset points", color=INK, fontsize=9,
                       ha="center", va="top" if below else "bottom",
                       bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.75})
     frame_map(axes)
@@ -180,6 +180,6 @@ def _distances(axes: Axes, symmetries: tuple[Symmetry, ...]) -> None:
         above = sign == "o"
         axes.annotate(text, (55 if above else 50, values[place] if above else 0.35), (0, 6 if above else 0),
                       textcoords="offset points", color=readable(colour), ha="center", va="bottom")
-    axes.set(xlabel="tilt of the fabric [degrees]", ylabel="distance over the norm [%]", xlim=(0, 90),
+    axes.set(xlabel="tilt of the fabric [°]", ylabel="distance over the norm [%]", xlim=(0, 90),
              xticks=range(0, 91, 30))
     axes.set_ylim(0, None)

@@ -6,8 +6,8 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from granular.figures.hemisphere import extreme_marks, projected
-from granular.figures.look import BLUE, GREEN, INK, VERMILION, WIDTH, blank, house_style
-from granular.figures.over_sphere import MAPS, PLANES, Map, Picture, Quantity, draw_maps, name_curves
+from granular.figures.look import BLUE, GREEN, INK, VERMILION, WIDTH, blank, house_style, key_of
+from granular.figures.over_sphere import MAPS, PLANES, Map, Picture, Quantity, draw_maps, line_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -123,7 +123,8 @@ def general_waves_figure(waves: GeneralWaves) -> Figure:
     figure = blank(height=HEIGHT, layout=None)
     _, split = draw_maps(figure, waves_picture(waves))
     _bars(split, waves)
-    name_curves(figure, [(name, colour) for name, _, colour, _ in WAVES], below=MAPS)
+    key_of(figure, [(name, line_of(colour, line)) for name, _, colour, line in WAVES],
+           height=1 - (MAPS + 0.03) / HEIGHT)
     degrees = np.linspace(0.0, 180.0, 181)
     planes = [waves.at(np.outer(np.cos(np.radians(degrees)), np.eye(3)[first])
                        + np.outer(np.sin(np.radians(degrees)), np.eye(3)[second])).speeds for first, second in PLANES]
@@ -137,7 +138,7 @@ def general_waves_figure(waves: GeneralWaves) -> Figure:
             axes = figure.add_axes(((0.6 + 1.78 * column) / WIDTH, (1.47 - 0.98 * row) / HEIGHT, 1.5 / WIDTH,
                                     0.86 / HEIGHT))
             for _, place, colour, line in shown:
-                axes.plot(degrees, plane[:, place], color=colour, linestyle=line, linewidth=1.5)
+                axes.plot(degrees, plane[:, place], **line_of(colour, line))
             axes.set(xlim=(0, 180), xticks=(0, 45, 90, 135, 180), ylim=(bottom, bottom + span))
             axes.tick_params(labelleft=column == 0, labelbottom=row == 1)
             if row == 1:

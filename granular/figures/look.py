@@ -186,6 +186,34 @@ def label_curves(axes: Axes, x: float, heights: Sequence[float], texts: Sequence
         axes.text(x, place, texts[k], color=readable(colours[k]), va="center", ha="left")
 
 
+def key_of(figure: Figure, entries: Sequence[tuple[str, dict[str, Any]]], *, height: float,
+           columns: int | None = None) -> None:
+    """Write what lines, marks and shades mean in a row: each name beside a piece of what it names.
+
+    Parameters
+    ----------
+    figure : Figure
+        Placed by hand.
+    entries : sequence of (str, dict)
+        Name, and settings of matplotlib's line; or of its patch, where there is a ``facecolor``.
+    height : float
+        Where the row stands, over the height of the figure [-].
+    columns : int, optional
+        How many names stand in a row [-]; all by default.
+
+    Notes
+    -----
+    Source: a name in a colour alone says nothing in grey print.
+    """
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    handles = [Patch(label=name, **look) if "facecolor" in look else Line2D([], [], label=name, **look)
+               for name, look in entries]
+    figure.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, height), ncols=columns or len(handles),
+                  frameon=False, borderpad=0, borderaxespad=0, handlelength=1.7, columnspacing=1.6, handletextpad=0.5)
+
+
 def readable(colour: str) -> str:
     """Darken a colour until text in it can be read on white.
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from granular.figures.contacts import HATCH
 from granular.figures.hemisphere import GLYPHS, Mark, draw_edge, draw_map, draw_marks, hatch_opened
-from granular.figures.look import INK, ORANGE, SOFT_INK, WIDTH, blank, house_style, readable
+from granular.figures.look import INK, ORANGE, WIDTH, blank, house_style, key_of
 from granular.figures.surfaces import frame_section
 
 if TYPE_CHECKING:
@@ -26,13 +26,10 @@ PLANES = ((0, 1), (0, 2), (1, 2))
 AROUND = 721
 """Points of a rose [-], half a degree apart: the shear stiffness ends like a cube root."""
 
-COLOUR: dict[str, str] = {"sliding": ORANGE, "opened": SOFT_INK}
-"""Of the words for directions in which contacts do not stick."""
-
 LOOK: dict[str, dict[str, Any]] = {
     "sliding": {"facecolor": ORANGE, "alpha": 0.22, "edgecolor": "none"},
     "opened": {"facecolor": "none", "edgecolor": HATCH, "hatch": "////", "linewidth": 0}}
-"""Of these directions in a rose."""
+"""Of directions in which contacts do not stick, in a rose."""
 
 MAPS = 3.66
 """From the top of a figure to the names of the first row of curves [in]."""
@@ -45,9 +42,6 @@ ROSE = 1.3
 
 SIDE = 2.2
 """Side of a map [in]."""
-
-PITCH = 0.16
-"""From one name of a curve to the next, over the width of the figure [-]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,10 +141,10 @@ def sphere_figure(picture: Picture) -> Figure:
     draw_maps(figure, picture)
     limits = _limits(picture)
     for row, roses in enumerate(picture.roses):
-        named = [(curve.symbol, curve.colour) for curve in roses if curve.symbol]
+        named = [(curve.symbol, line_of(curve.colour, curve.line)) for curve in roses if curve.symbol]
         if row == len(picture.roses) - 1:
-            named += [(word, COLOUR[word]) for word, _ in limits]
-        name_curves(figure, named, below=MAPS + ROW * row)
+            named += [(word, LOOK[word]) for word, _ in limits]
+        key_of(figure, named, height=1 - (MAPS + ROW * row + 0.03) / height)
         side = 1.1 * max(float(curve.values(_circle(*plane)[0]).max()) for curve in roses for plane in PLANES) or 1.0
         for column, plane in enumerate(PLANES):
             axes = figure.add_axes(((0.56 + 1.87 * column) / WIDTH, 1 - (MAPS + ROW * row + 0.08 + ROSE) / height,
@@ -168,32 +162,30 @@ def _rose(axes: Axes, roses: tuple[Quantity, ...], plane: tuple[int, int], side:
         axes.fill(reach * x, reach * y, zorder=0, **LOOK[word])
     for curve in roses:
         radius = curve.values(n)
-        axes.plot(radius * x, radius * y, color=curve.colour, linestyle=curve.line, linewidth=1.5)
+        axes.plot(radius * x, radius * y, **line_of(curve.colour, curve.line))
     across, upward = (f"axis {axis + 1} [{roses[0].unit}]" for axis in plane)
     frame_section(axes, side, across=across, upward=upward, ticks=5)
     axes.yaxis.labelpad = 1.5
 
 
-def name_curves(figure: Figure, names: Sequence[tuple[str, str]], *, below: float) -> None:
-    """Write the names of curves in their colours in a row.
+def line_of(colour: str, line: str) -> dict[str, Any]:
+    """Settings of the curve of a quantity.
 
     Parameters
     ----------
-    figure : Figure
-        Placed by hand.
-    names : sequence of 2 str
-        Name and colour of each.
-    below : float
-        Where the row stands, from the top of the figure [in].
+    colour, line : str
+        As in ``Quantity``.
+
+    Returns
+    -------
+    dict
+        For matplotlib's line.
 
     Notes
     -----
     Source: the look of this package.
     """
-    for place, (text, colour) in enumerate(names):
-        across = 0.5 + PITCH * (place - (len(names) - 1) / 2)
-        figure.text(across, 1 - below / figure.get_figheight(), text, color=readable(colour), ha="center",
-                    va="baseline")
+    return {"color": colour, "linestyle": line, "linewidth": 1.5}
 
 
 def draw_maps(figure: Figure, picture: Picture) -> list[Axes]:

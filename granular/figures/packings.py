@@ -53,8 +53,8 @@ def packings_figure(packings: Sequence[ComparedPacking]) -> Figure:
     panels[0].set_yticks(range(len(packings)), [packing.name for packing in packings])
     panels[0].invert_yaxis()
     handles, names = panels[0].get_legend_handles_labels()
-    figure.legend(handles, names, loc="outside upper center", ncols=len(MARKS), frameon=False, fontsize=8.5,
-                  handletextpad=0.2, columnspacing=1.0)
+    figure.legend(handles, names, loc="outside upper center", ncols=len(MARKS), frameon=False, fontsize=9,
+                  handletextpad=0.2, columnspacing=0.7)
     return figure
 
 

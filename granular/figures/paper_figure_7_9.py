@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 Number = Literal[7, 8, 9]
+Line = str | tuple[int, tuple[float, ...]]
 
 POISSON_RATIO, FRICTION = 0.21, math.tan(math.radians(12))
 """Of the grains in the parametric study [-]."""
@@ -31,7 +32,8 @@ PANELS = {"normal": ("f_n", "(a) normal force"), "shear": ("f_r", "(b) shear for
           "k_normal": ("k_n", "(c) normal stiffness"), "k_shear": ("k_r", "(d) shear stiffness")}
 """Name of the column and title of each panel."""
 
-SOLID, DASHED, DOTTED = "-", (0, (4, 2)), (0, (1, 1.5))
+SOLID, DASHED, DOTTED, DASH_DOTTED = "-", (0, (4, 2)), (0, (1, 1.5)), (0, (6, 1.5, 1, 1.5))
+LONG_DASHED = (0, (9, 2.5))
 """Line styles, so that curves that coincide, or lose their colour in print, are told apart."""
 
 
@@ -58,7 +60,7 @@ class Case:
     key: str
     text: str
     colour: str
-    line: str | tuple[int, tuple[float, float]]
+    line: Line
     fabric: AxialFabric = field(default_factory=AxialFabric)
     stress_ratio: float = 1.0
     slips: bool = True
@@ -74,15 +76,15 @@ class Case:
         return tuple(PANELS) if self.slips else ("k_shear",)
 
 
-def _microstructure(D33: float, Dr33: float, colour: str, line: str | tuple[int, tuple[float, float]]) -> Case:
+def _microstructure(D33: float, Dr33: float, colour: str, line: Line) -> Case:
     return Case(f"D33={D33:g} Dr33={Dr33:g}", f"$D_{{33}} = {D33:g}$,  $D^{{r}}_{{33}} = {Dr33:g}$", colour, line,
                 AxialFabric(D33=D33, Dr33=Dr33))
 
 
 CASES: dict[Number, tuple[Case, ...]] = {
-    7: (_microstructure(0.0, 0.0, SOFT_INK, SOLID), _microstructure(0.0, -0.3, BLUE, DASHED),
-        _microstructure(0.3, 0.0, GREEN, SOLID), _microstructure(0.3, -0.3, VERMILION, DASHED),
-        Case("D33=0.3 without slip", "$D_{33} = 0.3$, without slip", PURPLE, DOTTED, AxialFabric(D33=0.3),
+    7: (_microstructure(0.0, 0.0, SOFT_INK, DOTTED), _microstructure(0.0, -0.3, BLUE, DASHED),
+        _microstructure(0.3, 0.0, GREEN, SOLID), _microstructure(0.3, -0.3, VERMILION, DASH_DOTTED),
+        Case("D33=0.3 without slip", "$D_{33} = 0.3$, without slip", PURPLE, LONG_DASHED, AxialFabric(D33=0.3),
              slips=False)),
     8: tuple(Case(f"D33={D33:g}", f"$D_{{33}} = {D33:g}$", colour, line, AxialFabric(D33=D33))
              for D33, colour, line in ((0.0, SOFT_INK, DOTTED), (0.3, BLUE, DASHED), (0.5, VERMILION, SOLID))),

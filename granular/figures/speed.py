@@ -189,7 +189,7 @@ def effect_costs(row: Row) -> Figure:
     for place, way in zip(places, row.ways, strict=True):
         error = "" if way.error is None else f"   error {way.error:.0e}".replace("e-0", "e-").replace("-", "−")
         axes.annotate(f"{size(way.nanoseconds * unit)}{error}", (way.nanoseconds * unit, place), xytext=(4, 0),
-                      textcoords="offset points", va="center", fontsize=8.5, color=INK)
+                      textcoords="offset points", va="center", fontsize=9, color=INK)
     axes.set(yticks=places, yticklabels=[way.name for way in row.ways], xscale="log",
              xlim=(min(times) * unit / 3, max(times) * unit * 200),
              xlabel=f"time of one {row.each} [{'ns' if unit == 1 else 'µs'}]")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from granular.errors import FigureNotKnown
+from granular.figures.contour_names import on_path
 from granular.figures.look import (
     BLUE,
     GREEN,
@@ -26,6 +27,14 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
+
+SYMBOLS = {"packing.contact_normals.D33": "contact normals, $D_{33}$",
+           "branches.anisotropy.D33": "branches, $D^r_{33}$",
+           "stress.ratio": "stress ratio, $\\sigma_{33}/\\sigma_{11}$", "model.rtol": "wanted accuracy, rtol"}
+"""How fields that every reader knows are written at an axis; others keep their names."""
+
+LETTERS = tuple(f"{second}{first}".strip() for second in " abcd" for first in "abcdefghijklmnopqrstuvwxyz")
+"""Names of sets of effects on a map, which colours alone would not tell apart in grey print."""
 
 LEVELS = 12
 """About how many lines of equal value a map has."""
@@ -77,7 +86,7 @@ def sweep_maps(dataset: xr.Dataset, variable: str, *, x: str, y: str, panels: st
         axes.grid(False)
         axes.contourf(across, up, heights, levels=levels, cmap=MAP, alpha=0.75)
         lines = axes.contour(across, up, heights, levels=levels, colors=INK, linewidths=0.7)
-        axes.clabel(lines, fontsize=8)
+        axes.clabel(lines, fontsize=9, fmt="%g", manual=on_path(across, up, heights, levels, _diagonal(across, up)))
         axes.xaxis.set_major_locator(MaxNLocator(4))
         axes.set(title=str(place), xlabel=_label(dataset, x))
         if axes.get_subplotspec().is_first_col():
@@ -123,9 +132,28 @@ def effects_map(dataset: xr.Dataset, *, x: str, y: str) -> Figure:
     axes.pcolormesh(dataset[x].values, dataset[y].values, kinds, cmap=colours, vmin=-0.5, vmax=len(names) - 0.5,
                     shading="nearest", edgecolors="white", linewidth=0.5)
     axes.set(xscale="log", yscale="log", xlabel=_label(dataset, x), ylabel=_label(dataset, y))
-    handles = [Patch(color=colours(kind), label=name) for kind, name in enumerate(names)]
-    figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False, fontsize=8.5)
+    for kind in range(len(names)):
+        row, column = _cell_of(kinds == kind)
+        axes.text(dataset[x].values[column], dataset[y].values[row], LETTERS[kind], ha="center", va="center",
+                  bbox={"boxstyle": "round,pad=0.12", "facecolor": "white", "edgecolor": "none"})
+    handles = [Patch(color=colours(kind), label=f"{LETTERS[kind]}  {name}") for kind, name in enumerate(names)]
+    figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
     return figure
+
+
+def _diagonal(across: NDArray[np.float64], up: NDArray[np.float64]) -> list[tuple[float, float]]:
+    """From near the lower left corner of a map to near the upper right one."""
+    ends = ((part[0] + share * (part[-1] - part[0]) for part in (across, up)) for share in (0.06, 0.94))
+    return [(float(x), float(y)) for x, y in ends]
+
+
+def _cell_of(inside: NDArray[np.bool_]) -> tuple[int, int]:
+    """The cell of a region that is nearest to its middle."""
+    import numpy as np
+
+    cells = np.argwhere(inside)[::-1]
+    row, column = cells[np.abs(cells - cells.mean(axis=0)).sum(axis=1).argmin()]
+    return int(row), int(column)
 
 
 def _sets_of_effects(dataset: xr.Dataset, x: str, y: str) -> tuple[list[str], NDArray[np.int64]]:
@@ -156,4 +184,4 @@ def _require(dataset: xr.Dataset, variables: tuple[str, ...], fields: tuple[str,
 def _label(dataset: xr.Dataset, field: str) -> str:
     """Name of a field with its unit."""
     unit = dataset[field].attrs.get("units", "1")
-    return f"{field} [{'–' if unit == '1' else unit}]"
+    return f"{SYMBOLS.get(field, field)} [{'–' if unit == '1' else unit}]"

@@ -172,7 +172,7 @@ def _shade(axes: Axes) -> None:
 
 
 def _names(values: Array, x: Array, y: Array) -> list[tuple[float, float]]:
-    """Where the lines are named: on the way from the centre to a point of the right side, off the dashed lines and marks."""
+    """Where the lines are named: on the way from the centre to a point of the right side, off other lines."""
     import numpy as np
 
     way = np.linspace(0.0, 1.0, 401)[:, None] * np.array([-0.7, 1.0, -0.3])
@@ -194,7 +194,8 @@ def _scales(axes: Axes) -> None:
             axes.plot(x, y, color="white", linewidth=0.7)
             axes.annotate(f"{tick:g}", (x[1], y[1]), away, textcoords="offset points", ha=ha, va=va, fontsize=9)
         middle = np.roll([0.5, -1, 0.5], axis)
-        axes.annotate(f"$N_{{{axis + 1}{axis + 1}}}$ [–]", _place(tuple(middle)), (8 * away[0], (4 if axis == 1 else 8) * away[1]),
+        far = 8 * away[0], (4 if axis == 1 else 8) * away[1]
+        axes.annotate(f"$N_{{{axis + 1}{axis + 1}}}$ [–]", _place(tuple(middle)), far,
                       textcoords="offset points", ha="center", va="center", rotation=turn)
         corner = np.roll([2.0, -1.0, -1.0], axis)
         axes.annotate(f"most contacts\nnear axis {axis + 1}", _place(tuple(corner)), (0, 5 if axis == 2 else -16),

@@ -6,14 +6,15 @@ import json
 
 import numpy as np
 import pytest
-from tests.legible import require_large_words, require_units, require_words_apart
 
 import granular
 from granular.figures import anisotropy_interactive as interactive
 from granular.figures import anisotropy_maps, files, isotropic_lines, ternary
 from granular.figures.anisotropy_maps import Place
+from granular.figures.contour_names import on_path
 from granular.general import GeneralFabric, general_stiffness
 from granular.measures import MEASURES, measure
+from tests.legible import require_large_words, require_units, require_words_apart
 
 PLACES = (Place("one", 0.3, -0.3), Place("two", 0.0, 0.0, "^"))
 DRAWN = {
@@ -77,7 +78,7 @@ def test_names_of_lines_stand_on_their_lines():
     """Breaks when a number stands at a line of another value."""
     D33, Dr33 = anisotropy_maps.grid()
     levels = [0.3, 0.7, 1.2]
-    found = anisotropy_maps.places_of_names(np.add.outer(2 * Dr33, D33) + 1, [*levels, 99.0])
+    found = on_path(D33, Dr33, np.add.outer(2 * Dr33, D33) + 1, [*levels, 99.0], anisotropy_maps.ALONG)
     # 1e-2: half a step along the path
     assert [d + 2 * dr + 1 for d, dr in found] == pytest.approx(levels, abs=1e-2)
 
