@@ -21,7 +21,7 @@ from granular.sweeps.scene_fields import SceneField, scene_fields, table_types
 from granular.table import Table
 from granular.tensors import FourthRankTensor, SymmetricTensor
 from page_tools.contents import BOOK
-from page_tools.markup import Markup, plain, table
+from page_tools.markup import Markup, table
 from page_tools.reference_text import prose, quoted
 
 EXAMPLES = BOOK.parent / "granular" / "data" / "scenes"
