@@ -107,6 +107,15 @@ def test_verdicts_are_counted() -> None:
     assert min(counts) > 0
 
 
+def test_the_box_counts_the_table() -> None:
+    """Breaks when the box above the ledger and its rows disagree."""
+    said = ledger.counted().text
+    against = {Verdict.MISPRINT, Verdict.REFUTED}
+    wrong = sum(bool(against & {verdict for verdict, _ in entry.rulings}) for entry in ENTRIES)
+    assert "All 28 equations, 5 tables and 9 figures" in said
+    assert f"At {wrong} of these {len(ENTRIES)} places" in said
+
+
 @pytest.mark.parametrize(("text", "numbers"), [
     ("Source: eq. (7).", [7]),
     ("Source: eqs (4), (7), and Figure 1(b).", [4, 7]),

@@ -106,7 +106,7 @@ def summary() -> Markup:
     rows = [[f"{{ref}}`{slip.title.replace('$r_{50}$', 'r50')} <{slip.label}>`", slip.where, slip.consequence]
             for slip in SLIPS]
     return table(["slip", "where", "consequence for who takes it at its word"], rows, label="tab-errata",
-                 look="words-first", align="lll", take_away="errata.csv",
+                 look="errata", align="lll", take_away="errata.csv",
                  taken=[["slip", "where", "printed", "must be", "consequence"],
                         *([slip.title, slip.where, slip.printed, slip.must_be, slip.consequence] for slip in SLIPS)],
                  caption=f"The {len(SLIPS)} slips of the print, in the order of the paper.")
@@ -115,7 +115,7 @@ def summary() -> Markup:
 def stated(key: str) -> Markup:
     """What is printed, what it must be, and what follows."""
     slip = OF_KEY[key]
-    return Markup(f"- **Printed** ({slip.where}): {slip.printed}.\n- **Must be:** {slip.must_be}.\n"
+    return Markup(f"- **Printed**, {slip.where}: {slip.printed}.\n- **Must be:** {slip.must_be}.\n"
                   f"- **Consequence:** {slip.consequence}\n")
 
 

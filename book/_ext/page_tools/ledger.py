@@ -8,8 +8,8 @@ from functools import cache
 
 from page_tools.citations import citing, computing, documented
 from page_tools.contents import BOOK, Place, page_link, pages, records, source, steps_shown
-from page_tools.ledger_record import ENTRIES, Entry, Verdict
-from page_tools.markup import Markup, table
+from page_tools.ledger_record import ENTRIES, EQUATIONS, FIGURES, TABLES, TEXT, Entry, Verdict
+from page_tools.markup import Markup, boxed, table
 
 TESTS = BOOK.parent / "tests"
 HEADER = ("place", "says", "derived and shown", "computed", "tested", "verdict")
@@ -52,6 +52,16 @@ def ledger() -> Markup:
                 ", ".join(verdict.words for verdict, _ in entry.rulings)] for entry in ENTRIES)]
     return table(HEADER, rows, label="tab-ledger", look="ledger", take_away="ledger.csv", taken=taken,
                  caption="Equations, tables and figures of the paper, and what its text claims.")
+
+
+def counted() -> Markup:
+    """Box what the ledger covers, and how many places are judged against the print."""
+    against = {Verdict.MISPRINT, Verdict.REFUTED}
+    places = sum(any(verdict in against for verdict, _ in entry.rulings) for entry in ENTRIES)
+    return boxed("What the ledger covers", Markup(
+        f"All {len(EQUATIONS)} equations, {len(TABLES)} tables and {len(FIGURES)} figures of the paper, and "
+        f"{len(TEXT)} statements of its text. At {places} of these {len(ENTRIES)} places the print is wrong, or a "
+        "claim does not follow. The others stand, some of them with a remark."))
 
 
 def verdicts() -> Markup:

@@ -201,12 +201,12 @@ TEXT = (
           ((Verdict.MISPRINT, "sec-erratum-shear"),),
           "granular/test_elasticity.py::test_the_papers_c44_is_horizontal_shear",
           ("granular.elastic_tensor.ElasticTensor.voigt",), "conventions"),
+    Entry("text below Table II", "horizontal shear waves are the fastest", ((Verdict.REFUTED, "sec-other-claims"),),
+          "derivations/test_waves.py::test_the_claim_is_not_general", ("granular.waves.waves",)),
     Entry("text, Table V", "the first invariant $I_1$ remains constant", ((Verdict.MISPRINT, "sec-erratum-invariant"),),
           "book/test_errata_page.py::test_every_proof_holds", ("granular.loading.Loading",), "table_v"),
     Entry("Appendix I", "its title: a kinetic hypothesis", ((Verdict.MISPRINT, "sec-erratum-appendix"),),
           "book/test_errata_page.py::test_every_proof_holds", (), "forces"),
-    Entry("text below Table II", "horizontal shear waves are the fastest", ((Verdict.REFUTED, "sec-other-claims"),),
-          "derivations/test_waves.py::test_the_claim_is_not_general", ("granular.waves.waves",)),
 )
 
 ENTRIES = (*EQUATIONS, *TABLES, *FIGURES, *TEXT)
