@@ -10,6 +10,30 @@ if TYPE_CHECKING:
     from granular.figures.page import Static
 
 
+def fabric_of(D33: float, Dr33: float) -> Static:
+    """Draw contact normals and branch lengths by direction.
+
+    Parameters
+    ----------
+    D33, Dr33 : float
+        Coefficients of the contact normals and of the branch lengths [-].
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: eq. (14).
+    """
+    from granular.fabric import AxialFabric
+    from granular.figures.fabric import fabric_figure
+    from granular.figures.page import Static
+
+    return Static(fabric_figure(AxialFabric(D33=D33, Dr33=Dr33)))
+
+
 def ratios_by_fabric() -> Static:
     """Draw both stiffness ratios against the fabric, contacts of one stiffness.
 
