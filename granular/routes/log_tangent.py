@@ -69,7 +69,7 @@ def sticking(center: float, low: float, high: float, *, r: float, delta: float, 
     delta, kappa : float
         1 - kappa, and kappa [-].
     singular : float
-        Largest distance of a singularity of forces, directions or branch lengths from the center, in sigma [-].
+        Largest distance of a singularity of forces, directions or branch lengths from the centre, in sigma [-].
     fineness : Fineness
         How close the nodes are.
 

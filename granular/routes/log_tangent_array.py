@@ -214,7 +214,7 @@ def between(geometry: Geometry, wide: NDArray[np.bool_], low: Array, high: Array
 
 
 def _half(index: Index, first: Array, last: Array, nodes: Nodes) -> Arc:
-    """Nodes on one side of a center, as far as the range that matters reaches there."""
+    """Nodes on one side of a centre, as far as the range that matters reaches there."""
     here = np.flatnonzero(last > 0)
     return Arc(index[here], np.maximum(_floor(first[here]), 0), _ceil(last[here]),
                lambda block, numbers: nodes(here[block], numbers))
