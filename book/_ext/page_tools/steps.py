@@ -45,7 +45,11 @@ def steps(name: str, *, first: int = 1, last: int | None = None) -> Markup:
     first, last : int
         Numbers of the first and the last step shown, counting from 1; all by default.
     """
-    record = derivation(name)
+    return steps_of(derivation(name), first=first, last=last)
+
+
+def steps_of(record: Derivation, *, first: int = 1, last: int | None = None) -> Markup:
+    """Show steps of a derivation that is given itself, as one that is not in the catalogue."""
     shown = [(number, step) for number, step in enumerate(record.steps, start=1)
              if first <= number <= (last or len(record.steps))]
     return Markup("\n".join(_step(record, number, step) for number, step in shown))
