@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import csv
 import io
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -67,7 +68,8 @@ def table(
     align : str
         One letter a column, ``l`` or ``r``; left when absent.
     take_away : str
-        Name of a CSV file with the same rows, offered below the table; none when empty.
+        Name of a CSV file with the same rows, offered below the table. When empty, it is named by the label, and
+        there is none if no cell starts with a number: an index of words.
     taken : sequence of sequence of str
         Header and rows of that file where a cell of the table holds more than one value.
     look : str
@@ -77,8 +79,10 @@ def table(
     rule = [":---" if side == "l" else "---:" for side in align or "l" * len(header)]
     lines = [header, rule, *kept]
     grid = "\n".join("| " + " | ".join(line) + " |" for line in lines)
-    first, *others = taken or (header, *kept)
-    link = _csv_link(take_away, first, others) if take_away else ""
+    first, *others = taken or ([bare(cell) for cell in line] for line in (header, *kept))
+    numeric = any(_NUMBER.match(bare(cell)) for row in kept for cell in row)
+    name = take_away or (f"{label.removeprefix('tab-').replace('-', '_')}.csv" if numeric else "")
+    link = _csv_link(name, first, others) if name else ""
     options = f":name: {label}\n" + (f":class: {look}\n" if look else "")
     return Markup(f":::{{table}} {caption}\n{options}\n{grid}\n\n:::\n{link}")
 
@@ -95,6 +99,28 @@ def file_link(name: str, content: str, words: str, *, kind: str = "text/csv") ->
     """Link to a file that the page itself holds."""
     data = base64.b64encode(content.encode()).decode()
     return f'<a download="{name}" href="data:{kind};base64,{data}">{words}</a>'
+
+
+_NUMBER = re.compile(r"[+-]?\d")
+_ROLE = re.compile(r"\{[a-z:]+\}`([^`<]*?)(?:\s*<([^`>]*)>)?`")
+_LINK = re.compile(r"\[([^\]]*)\]\(([^)]*)\)")
+_POWER = re.compile(r"(?:\\times|\\cdot|·|×)\s*10\^\{?([-+−]?\d+)\}?")
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+_FRACTION = re.compile(r"\\[td]?frac\{([^{}]*)\}\{([^{}]*)\}")
+_BARE = {"<br>": "; ", "−": "-", "–": "-", "\u202f": "", "\N{NO-BREAK SPACE}": " ", "\\%": "%"}
+
+
+def bare(cell: str) -> str:
+    """Write a cell of a table without markup, so that another program can read its numbers."""
+    cell = _LINK.sub(lambda found: found[1] or found[2], _ROLE.sub(r"\1", cell))
+    for shown, written in _BARE.items():
+        cell = cell.replace(shown, written)
+    cell = re.sub(r"(?:·|×)\s*10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", lambda found: "e" + found[1].translate(_RAISED), cell)
+    cell = _FRACTION.sub(r"\1/\2", _POWER.sub(lambda found: f"e{found[1]}".replace("−", "-"), cell))
+    cell = re.sub(r"\\(?:mathrm|mathbf|text|tfrac|dfrac|bar|left|right|langle|rangle|[,;!: ])", "", cell)
+    cell = re.sub(r"(\d)\s+e(?=[-+]?\d)", r"\1e", cell)
+    cell = re.sub(r"\*\*|[$`{}\\]", "", cell).strip()
+    return re.sub(r"^10\^(-?\d+)$", r"1e\1", cell)
 
 
 _TYPOGRAPHY = {"<=": "≤", ">=": "≥", "^2": "²", "^3": "³", "^4": "⁴", " - ": " − "}
