@@ -28,6 +28,9 @@ START = (12, 2.0)
 MOVING = (0, 1, 2, 3, 4, 5)
 """Line, circle, its ends, part of it that slides, ends of that part, band on the sphere; the rest stands still."""
 
+NAMES = ("line of friction", "contacts", "pole and equator", "contacts that slide", "onset of sliding", "sliding band")
+"""Of the moving traces, for the numbers that the page offers."""
+
 
 def mohr_interactive() -> Any:
     """Make the circle and the sphere with a slider over the stress ratio and buttons for the friction angle.
@@ -47,7 +50,7 @@ def mohr_interactive() -> Any:
     change, words = _state(angle, ratio)
     first = [{key: values[place] for key, values in change.items() if values[place] is not None}
              for place in range(len(MOVING))]
-    line, circle, poles, arc, ends, cone = first
+    line, circle, poles, arc, ends, cone = ({**one, "name": name} for one, name in zip(first, NAMES, strict=True))
     hover = {"hovertemplate": "β = %{customdata}°<br>f<sub>n</sub> = %{x:.3f}<br>f<sub>r</sub> = %{y:.3f}"
                               "<extra></extra>"}
     figure = graph_objects.Figure([
@@ -143,7 +146,7 @@ def _ball() -> Any:
 
     points = surface(np.ones_like, (31, 37))
     x, y, z = (part.astype(np.float32) for part in (points.x, points.y, points.z))
-    return graph_objects.Surface(x=x, y=y, z=z, **_even("#dfe6ec"), hoverinfo="skip")
+    return graph_objects.Surface(x=x, y=y, z=z, name="all directions", **_even("#dfe6ec"), hoverinfo="skip")
 
 
 def _even(colour: str) -> dict[str, Any]:

@@ -17,6 +17,11 @@ NUMBERS = "numbers"
 """Key, in what Jupyter keeps about an image, of the numbers behind it: the file and the words of its link."""
 
 
+WITHOUT_SCRIPTS = ("<noscript><p>Moving this figure takes scripts. The still figure on this page shows the same, "
+                   "and the numbers are offered below.</p></noscript>")
+"""What stands in the place of an interactive figure where the browser runs no scripts."""
+
+
 def numbers_link(name: str, data: DrawnData) -> str:
     """Link to the numbers behind a figure, which the page itself holds.
 
@@ -106,7 +111,7 @@ class Interactive:
         """The figure alone."""
         page: str = self.figure.to_html(full_html=False, include_plotlyjs=False, include_mathjax=False,
                                         div_id=f"plotly-{self.name}", config=PLOTLY_OPTIONS)
-        return page
+        return page + WITHOUT_SCRIPTS
 
     def _repr_html_(self) -> str:
         return self.element() + numbers_link(self.name, drawn_data(self.figure))
