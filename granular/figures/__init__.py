@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from granular.errors import FigureNotKnown
 from granular.figures.book import (
     admissible_region,
+    coordinates,
     figure_5,
     figure_5_interactive,
     figure_6,
@@ -54,6 +55,7 @@ __all__ = [
     "branch_surfaces",
     "collinear_anisotropy",
     "collinear_errors",
+    "coordinates",
     "figure_3",
     "figure_4",
     "figure_5",

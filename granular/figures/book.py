@@ -11,6 +11,24 @@ if TYPE_CHECKING:
     from granular.figures.page import Interactive, Static
 
 
+def coordinates() -> Static:
+    """Axes, angles and the local frame of a contact.
+
+    Returns
+    -------
+    Static
+        Shows itself in a page.
+
+    Notes
+    -----
+    Source: Figure 2.
+    """
+    from granular.figures.axes_and_angles import coordinates as draw
+    from granular.figures.page import Static
+
+    return Static(draw())
+
+
 def figure_5() -> Static:
     """Figure 5: branch lengths and contact normals as surfaces, five panels.
 

@@ -11,8 +11,10 @@ from derivations.written import is_defined, is_name, stands_in
 from page_tools.contents import Place, page_link, pages, records, source, steps_shown
 from page_tools.markup import Markup, plain, table
 
-REFERENCE = ("index", "ledger", "symbols", "formulas", "errors", "rerun", "bibliography")
-"""Pages that introduce nothing: the overview, and what is looked up."""
+REFERENCE = ("index", "first_use", "ledger", "symbols", "formulas", "python_interface", "python_scenes", "python_many",
+             "python_fabric", "python_measured", "python_derivations", "scene_file", "command_line", "errors", "rerun",
+             "bibliography")
+"""Pages that introduce nothing: the overview, a first walk, and what is looked up."""
 CONVENTIONS = "conventions"
 """The page that defines letters for the whole book."""
 FAMILY = 4
