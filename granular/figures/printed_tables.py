@@ -55,6 +55,7 @@ def ratios(cases: Sequence[str], exact: Mapping[str, Sequence[float]],
                  yticklabels=cases, xlabel=f"{_named(name)} [–]")
         axes.set_title(OVER[name], loc="left")
         axes.grid(axis="y", visible=False)
+    panels[0].set_ylabel("case [name]")
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower right", ncols=2, frameon=False)
     return figure
 
@@ -92,10 +93,10 @@ def differences(cases: Sequence[str], names: Sequence[str], printed: Sequence[fl
                   label=f"by the rule, {_named(name)}")
     low, high = (edge(*printed, *rule) / DECIMALS for edge in (min, max))
     axes.set(xlim=(-0.7, len(cases) - 0.3), ylim=(low - 2.0, high + 2.0), xticks=list(places),
-             xlabel="table, case", ylabel="minus the exact ratio\n[units of the third decimal]")
+             xlabel="printed ratio [table, case]", ylabel="minus the exact ratio\n[units of the third decimal]")
     axes.set_xticklabels(cases, rotation=90)
     axes.grid(axis="x", visible=False)
-    axes.text(len(cases) / 2 + 2, -0.75, "exact, rounded", color=readable(SKY), va="top", ha="center")
+    axes.text(len(cases) - 0.4, -0.75, "exact, rounded", color=readable(SKY), va="top", ha="right")
     figure.legend(*axes.get_legend_handles_labels(), loc="outside upper center", ncols=3, frameon=False)
     return figure
 
