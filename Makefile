@@ -6,9 +6,10 @@ SHELL := /bin/sh
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+CHROMIUM ?= chromium
 READY := $(VENV)/.ready
 
-.PHONY: help book html test derive check lint types bench clean
+.PHONY: help book html pdf test derive check lint types bench clean
 
 help: ## show this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*## /\t/' | expand -t 10
@@ -40,6 +41,13 @@ html:
 	@touch book/_build/.without_warnings
 	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
 	@echo "The book is built. Open book/_build/html/index.html in a browser"
+
+# The pages are brought up to date first; from what was computed before, unless something changed.
+pdf: $(READY) ## print the built book as one PDF; needs Chromium
+	@$(BIN)/python book/_ext/pdf.py --browser '$(CHROMIUM)'
+	@$(MAKE) --no-print-directory html
+	@$(BIN)/python book/_ext/pdf.py book/_build/html book/_build/granular.pdf --browser '$(CHROMIUM)'
+	@$(BIN)/python book/_ext/pdf_check.py book/_build/html book/_build/granular.pdf
 
 lint: $(READY) ## style and strict types
 	@$(BIN)/ruff check .

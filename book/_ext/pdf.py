@@ -13,6 +13,7 @@ import shutil
 import sys
 import tempfile
 import time
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,7 @@ TIMEOUT = 240.0  # for the load of all pages at once, and for printing them; a s
 MISSING = ("The PDF is printed by Chromium, which is not installed: apt install chromium, or name the program with "
            "make pdf CHROMIUM=...")
 FIT = (Path(__file__).parent / "pdf_fit.js").read_text(encoding="utf-8")
+LAYOUT = (Path(__file__).parent / "pdf_layout.js").read_text(encoding="utf-8")
 WRITE_NUMBERS = """
 (numbers => {
   for (const place of document.querySelectorAll('.page-number')) place.textContent = numbers[place.dataset.of] ?? '';
@@ -47,41 +49,54 @@ def printed(browser: Chromium, pages: str = "") -> bytes:
             return b"".join(chunks)
 
 
-def print_book(document: Document, executable: str, folder: Path) -> tuple[bytes, bytes]:
+@dataclass(frozen=True)
+class Print:
+    """What Chromium printed: the document, its lists of contents with page numbers, and what is wrong on paper."""
+
+    whole: bytes
+    lists: bytes
+    problems: list[str]
+
+
+def print_book(document: Document, executable: str, folder: Path) -> Print:
     """Print the document from a folder beside the built pages; then its lists of contents with their numbers."""
     page = folder / "book.html"
     page.write_text(document.text, encoding="utf-8")
     with Chromium(executable, timeout=TIMEOUT) as browser:
         browser.open(page, width=PAPER_WIDTH, height=PAPER_HEIGHT, media="print")
         browser.ask(FIT)
+        problems = browser.ask(LAYOUT)
         whole = printed(browser)
         places = pages_of(whole)
         browser.ask(WRITE_NUMBERS % {name: number + 1 for name, number in places.items()})
         lists = printed(browser, ",".join(str(number + 1) for number in pages_of_lists(document.headings, places)))
-    return whole, lists
+    return Print(whole, lists, problems)
 
 
 def main() -> int:
     """Print the book named on the command line."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("root", type=Path, help="the folder with the built pages")
-    parser.add_argument("out", type=Path, help="the PDF to write")
+    parser.add_argument("root", type=Path, nargs="?", help="the folder with the built pages; without it, look for Chromium")
+    parser.add_argument("out", type=Path, nargs="?", help="the PDF to write", default=Path("granular.pdf"))
     parser.add_argument("--browser", default="chromium", help="the Chromium that prints")
     options = parser.parse_args()
     executable = shutil.which(options.browser)
     if executable is None:
         print(MISSING, file=sys.stderr)
         return 2
+    if options.root is None:
+        return 0
     begun = time.monotonic()
     root = options.root.resolve()
     settings = yaml.safe_load((Path(__file__).parents[1] / "_config.yml").read_text(encoding="utf-8"))
     document = assemble(root, title=settings["title"], author=settings["author"], version=version("granular"))
     with tempfile.TemporaryDirectory(dir=root.parent, prefix=".paper-") as folder:
-        whole, lists = print_book(document, executable, Path(folder))
-    made = finish(whole, lists, document.headings, title=settings["title"], author=settings["author"])
+        raw = print_book(document, executable, Path(folder))
+    made = finish(raw.whole, raw.lists, document.headings, title=settings["title"], author=settings["author"])
     options.out.write_bytes(made.data)
     print(f"{options.out}: {made.pages} pages, {len(made.data) / 1e6:.1f} MB, in {time.monotonic() - begun:.0f} s")
-    return 0
+    print(*raw.problems, sep="\n", end="\n" if raw.problems else "", file=sys.stderr)
+    return 1 if raw.problems else 0
 
 
 if __name__ == "__main__":

@@ -16,8 +16,8 @@ from urllib.parse import unquote, urlsplit
 from bs4 import BeautifulSoup, Tag
 
 LEFT_OUT = (
-    "details.hide.above-input, details.hide.above-cell, script, template, .headerlink, .copybtn, .plotly-graph-div, "
-    "p.take-away, a[download], .only-dark, .only-screen"
+    "details.hide.above-input, details.hide.above-cell, script, template, .headerlink, .copybtn, "
+    "p.take-away, .only-dark, .only-screen"
 )
 LONGEST_FOLD = 60  # rows; the tables of measurements behind longer folds fill page after page, and are data of the book
 INTERACTIVE = ".plotly-graph-div"
@@ -75,9 +75,11 @@ def chapter(root: Path, page: str, *, pages: set[str]) -> Chapter:
 
 def _leave_out(section: Tag) -> None:
     for figure in section.select(INTERACTIVE):
-        cell = figure.find_parent(class_="cell_output")
-        if cell is not None and not cell.select("p.elsewhere, img"):
-            cell.append(_note(ON_A_SCREEN))
+        shown = figure.find_parent(class_="output") or figure
+        if shown.select("img"):  # the twin stands in the same place
+            figure.decompose()
+        else:
+            shown.replace_with(_note(ON_A_SCREEN))
     for element in section.select(LEFT_OUT):
         element.decompose()
     for cell in section.select("div.cell"):
@@ -133,4 +135,4 @@ def plain(heading: Tag) -> str:
     """What a heading says on one line, a formula in it without the signs of TeX."""
     text = re.sub(r"\s+", " ", heading.get_text()).strip()
     text = re.sub(r"\\\((.*?)\\\)", lambda found: re.sub(r"\\(?:mathrm|text)|[\\{}]", "", found[1]), text)
-    return FIRST_NUMBER.sub(r"\1  ", text)
+    return FIRST_NUMBER.sub("\\1\u2002", text)

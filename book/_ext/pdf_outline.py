@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import logging
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -10,6 +11,8 @@ from typing import Any
 from pdf_chapters import Heading
 from pypdf import PdfReader, PdfWriter
 from pypdf.generic import Fit, NameObject
+
+logging.getLogger("pypdf").setLevel(logging.ERROR)  # it warns of a count of objects that Chromium writes too low
 
 
 @dataclass(frozen=True)
@@ -25,11 +28,16 @@ def places_of(reader: PdfReader) -> dict[str, Any]:
     return {name.removeprefix("/"): place for name, place in reader.named_destinations.items()}
 
 
+def page_numbers(reader: PdfReader) -> dict[int, int]:
+    """Number of each page, counted from zero, by the number of its object."""
+    return {page.indirect_reference.idnum: number for number, page in enumerate(reader.pages)
+            if page.indirect_reference is not None}
+
+
 def pages_of(pdf: bytes) -> dict[str, int]:
     """On which page, counted from zero, each of these elements lies."""
     reader = PdfReader(io.BytesIO(pdf))
-    numbers = {page.indirect_reference.idnum: number for number, page in enumerate(reader.pages)
-               if page.indirect_reference is not None}
+    numbers = page_numbers(reader)
     return {name: numbers[place.page.idnum] for name, place in places_of(reader).items()}
 
 
@@ -48,11 +56,10 @@ def finish(whole: bytes, lists: bytes, headings: list[Heading], *, title: str, a
         raise ValueError("the numbers in the lists of contents moved the pages that they name")
     for number, page in zip(numbered, with_numbers, strict=True):
         for what in ("/Contents", "/Resources"):
-            writer.pages[number][NameObject(what)] = page[what].clone(writer)
+            writer.pages[number][NameObject(what)] = page.raw_get(what).clone(writer)
     _outline(writer, headings, places_of(reader), places)
     writer.metadata = {"/Title": title, "/Author": author, "/Creator": "granular"}
     writer.root_object[NameObject("/PageMode")] = NameObject("/UseOutlines")
-    writer.compress_identical_objects(remove_duplicates=True, remove_unreferenced=True)
     out = io.BytesIO()
     writer.write(out)
     return Printed(out.getvalue(), len(reader.pages))
