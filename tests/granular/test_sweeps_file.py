@@ -14,7 +14,7 @@ from granular.errors import (
     UnknownKey,
     WrongType,
 )
-from granular.figures.sweep_maps import effects_map, sweep_maps
+from granular.figures.sweep_maps import SYMBOLS, effects_map, sweep_maps
 from granular.sweeps import Sweep
 
 SCENE = """
@@ -95,7 +95,7 @@ def test_maps_have_a_panel_for_each_value_and_leave_refused_points_empty():
                              engine="axial_stiffness", outputs=["ratios"], invalid="nan")
     figure = sweep_maps(dataset, "C1111_over_C3333", x=D33, y=RATIO, panels=HYPOTHESIS)
     assert [axes.get_title() for axes in figure.axes] == ["static", "kinematic"]
-    assert [axes.get_xlabel() for axes in figure.axes] == [f"{D33} [–]"] * 2
+    assert [axes.get_xlabel() for axes in figure.axes] == [f"{SYMBOLS[D33]} [–]"] * 2
     right = {"variable": "C1111_over_C3333", "x": D33, "y": RATIO, "panels": HYPOTHESIS}
     for wrong in ({"variable": "C1111"}, {"x": "case"}):
         with pytest.raises(FigureNotKnown):
@@ -110,6 +110,10 @@ def test_a_map_of_effects_names_the_sets_that_occur():
             "stress": {"mean": "28 kPa"}}
     dataset = granular.sweep(base, grid={D33: [1e-9, 0.3], "model.rtol": [1e-12, 1e-3]}, outputs=["effects"])
     figure = effects_map(dataset, x=D33, y="model.rtol")
-    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["none", "packing, kinetic"]
+    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["a  none", "b  packing, kinetic"]
     cells = figure.axes[0].collections[0].get_array().reshape(2, 2).tolist()
     assert cells == [[1, 1], [0, 1]]
+    letters = [text.get_text() for text in figure.axes[0].texts]
+    places = [tuple(float(part) for part in text.get_position()) for text in figure.axes[0].texts]
+    assert letters == ["a", "b"]
+    assert places[0] == (1e-9, 1e-3)  # the one cell in which nothing is simulated
