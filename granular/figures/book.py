@@ -26,7 +26,7 @@ def coordinates() -> Static:
     from granular.figures.axes_and_angles import coordinates as draw
     from granular.figures.page import Static
 
-    return Static(draw())
+    return Static(draw(), data=False)
 
 
 def figure_5() -> Static:

@@ -185,6 +185,6 @@ def plain_title(text: str) -> str:
     ('C_1111/C_3333 [-]', 'angle beta', 'force fn')
     """
     for sign, written in _SIGNS.items():
-        text = re.sub(re.escape(sign) + r"(?![a-z])" * sign[-1].isalpha(), lambda _, new=written: new, text)
+        text = re.sub(re.escape(sign) + r"(?![a-z])" * sign[-1].isalpha(), written.replace("\\", r"\\"), text)
     text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"\1/\2", text)
     return " ".join(_DROPPED.sub("", text).replace("\\", "").split())

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -48,6 +47,8 @@ def _panels(several: Sequence[Any]) -> Iterator[Any]:
 
 
 def _artists(axes: Any) -> Iterator[tuple[str, dict[str, Sequence[Cell]]]]:
+    import numpy as np
+
     lines = [line for line in axes.lines if line.get_visible() and not _decorates(line)]
     for line, name in zip(lines, _line_names(axes, lines), strict=True):
         if (columns := _of_line(axes, line)) is not None:
@@ -62,7 +63,7 @@ def _artists(axes: Any) -> Iterator[tuple[str, dict[str, Sequence[Cell]]]]:
     others = [patch for patch in axes.patches if patch not in bars and patch.get_visible()
               and patch.get_transform().contains_branch(axes.transData) and not hasattr(patch, "get_arrowstyle")]
     for number, patch in enumerate(others, start=1):
-        vertices = axes.transData.inverted().transform(patch.get_verts())
+        vertices = axes.transData.inverted().transform(np.reshape(patch.get_verts(), (-1, 2)))
         yield _label(patch) or f"area {number}", _plane(axes, vertices[:, 0], vertices[:, 1])
     for number, image in enumerate(axes.images, start=1):
         yield f"image {number}", _of_image(axes, image)
@@ -240,17 +241,17 @@ def _words(axis: Any, places: Any) -> list[Cell]:
     values = _values(places)
     ticks = {float(place): plain_title(tick.get_text())
              for place, tick in zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=False)}
-    if type(axis.get_major_formatter()).__name__ != "FixedFormatter" or all(map(_is_number, ticks.values())):
+    if type(axis.get_major_locator()).__name__ != "FixedLocator" or all(map(_is_number, ticks.values())):
         return list(values)
     return [ticks.get(float(value)) or value for value in values]
 
 
 def _is_number(text: str) -> bool:
-    return not text or not any(letter.isalpha() for letter in text)
+    return not any(letter.isalpha() for letter in text.replace("mathdefault", ""))
 
 
 def _values(several: Any) -> list[float]:
     import numpy as np
 
-    flat = np.ma.filled(np.ma.asarray(several, float), np.nan)
-    return list(itertools.chain.from_iterable(np.atleast_2d(flat).tolist()))
+    values: Any = np.ma.filled(np.ma.asarray(several, float), np.nan)
+    return [float(value) for value in np.ravel(values)]

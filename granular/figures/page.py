@@ -63,6 +63,8 @@ class Static:
     ----------
     figure : matplotlib.figure.Figure
         The figure.
+    data : bool
+        False for a drawing that explains and shows no numbers.
 
     Notes
     -----
@@ -71,6 +73,7 @@ class Static:
     """
 
     figure: Figure
+    data: bool = True
 
     def __repr__(self) -> str:
         """Name the figure, for readers without images."""
@@ -81,7 +84,8 @@ class Static:
 
     def _repr_mimebundle_(self, **_wanted: Any) -> tuple[dict[str, str], dict[str, dict[str, str]]]:
         shown = {"image/svg+xml": self._repr_svg_(), "text/plain": repr(self)}
-        return shown, {"image/svg+xml": {NUMBERS: numbers_link("NAME", drawn_data(self.figure))}}
+        link = numbers_link("NAME", drawn_data(self.figure)) if self.data else ""
+        return shown, {"image/svg+xml": {NUMBERS: link}}
 
 
 @dataclass(frozen=True, slots=True, repr=False)
