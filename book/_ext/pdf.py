@@ -76,7 +76,7 @@ def print_book(document: Document, executable: str, folder: Path) -> Print:
 def main() -> int:
     """Print the book named on the command line."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("root", type=Path, nargs="?", help="the folder with the built pages; without it, look for Chromium")
+    parser.add_argument("root", type=Path, nargs="?", help="folder with the built pages; if none, look for Chromium")
     parser.add_argument("out", type=Path, nargs="?", help="the PDF to write", default=Path("granular.pdf"))
     parser.add_argument("--browser", default="chromium", help="the Chromium that prints")
     options = parser.parse_args()

@@ -71,5 +71,5 @@ def _outline(writer: PdfWriter, headings: list[Heading], found: Mapping[str, Any
         depth = min(heading.depth, len(above))
         place = found[heading.anchor]
         above[depth:] = [writer.add_outline_item(
-            heading.title, places[heading.anchor], parent=above[depth - 1] if depth else None,
+            title=heading.title, page_number=places[heading.anchor], parent=above[depth - 1] if depth else None,
             fit=Fit.xyz(left=place.left, top=place.top), is_open=heading.depth == 0)]
