@@ -154,7 +154,7 @@ FIGURES = (
     Entry("Figure 1", "kinematic and static hypothesis", CONFIRMED, "granular/test_bounds.py::test_order_of_the_bounds",
           ("granular.array_stiffness.axial_stiffness",), "static:fig-hypotheses"),
     Entry("Figure 2", "coordinates", DEFINITION, "derivations/test_sphere.py::test_sphere_mean_from_circle_and_axis",
-          (), "conventions"),
+          ("granular.figures.axes_and_angles.coordinates",), "conventions:fig-coordinates"),
     Entry("Figure 3", "gradation curves", REDRAWN, f"{SIZES_DRAWN}::test_figure_3_draws_diameters",
           ("granular.figures.paper_figures_3_4.figure_3",), "figure_3:fig-three"),
     Entry("Figure 4", "densities of sizes and lengths", REDRAWN,
