@@ -70,7 +70,7 @@ def usage(name: str, program: str = "granular") -> Markup:
     text = f"{quick(command.help)}\n\n```text\n{_folded(words)}\n```\n"
     if not shown:
         return Markup(text)
-    rows = [[f"`{_name(one)}`", quick(one.help) + _default(one)] for one in shown]
+    rows = [[f"`{called(one)}`", quick(one.help) + _default(one)] for one in shown]
     return Markup(text + "\n" + table(
         ["option", "what it says"], rows, label=f"tab-{label_of(program, name)}", look="reference",
         caption=f"Arguments and options of `{program} {name}`.").text)
@@ -80,7 +80,8 @@ def _is_argument(one: Any) -> bool:
     return not one.opts[0].startswith("-")
 
 
-def _name(one: Any) -> str:
+def called(one: Any) -> str:
+    """An argument or option as it is typed, with the name of its value."""
     value = str(one.metavar or one.name.upper())
     if _is_argument(one):
         return value
@@ -88,7 +89,7 @@ def _name(one: Any) -> str:
 
 
 def _word(one: Any) -> str:
-    return _name(one) if one.required else f"[{_name(one)}]"
+    return called(one) if one.required else f"[{called(one)}]"
 
 
 def _folded(words: list[str]) -> str:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from enum import Enum
 from types import FunctionType
-from typing import Any
+from typing import Any, cast
 
 from page_tools.markup import Markup, plain, table
 from page_tools.reference_names import GROUPS, explained
@@ -118,7 +118,7 @@ def _joined(text: str) -> str:
 def _members(kind: type) -> Iterator[str]:
     """Public members of a class that its docstring does not list already, in the order of their definition."""
     if _is_enumeration(kind):
-        for value in kind:  # type: ignore[var-annotated]
+        for value in cast("Iterable[Enum]", kind):
             yield f":::::{{py:attribute}} {value.name}\n:value: {value.value!r}\n\n:::::"
         return
     found = sections(inspect.getdoc(kind) or "")
