@@ -10,6 +10,8 @@
   const shown = node => node.checkVisibility({ opacityProperty: true, visibilityProperty: true });
   const styles = new Map();
   const style = node => styles.get(node) ?? styles.set(node, getComputedStyle(node)).get(node);
+  const frames = new Map();
+  const frameOf = node => frames.get(node) ?? frames.set(node, node.getBoundingClientRect()).get(node);
   const plain = ({ left, top, right, bottom }) => ({ left, top, right, bottom });
   const lower = rect => {
     const air = AIR * (rect.bottom - rect.top);
@@ -54,7 +56,7 @@
     let box = null;
     for (let node = item.node; node && node !== document.body; node = node.parentElement) {
       const { overflowX, overflowY, display, position } = style(node);
-      const frame = node.getBoundingClientRect();
+      const frame = frameOf(node);
       const drawn = LEAVES.has(item.node.tagName.toUpperCase()) && node === item.node;
       if (!drawn && !(node instanceof SVGElement)) {
         if (!box && !INLINE.test(display)) {
