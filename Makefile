@@ -9,7 +9,7 @@ BIN := $(VENV)/bin
 CHROMIUM ?= chromium
 READY := $(VENV)/.ready
 
-.PHONY: help book html pdf test derive check lint types bench clean
+.PHONY: help book html pdf test derive check lint types bench times clean
 
 help: ## show this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*## /\t/' | expand -t 10
@@ -40,6 +40,7 @@ html:
 	@$(BIN)/jupyter-book build book -n -W --keep-going -q
 	@touch book/_build/.without_warnings
 	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
+	@$(BIN)/python book/_ext/compare_builds.py book/_build/html
 	@echo "The book is built. Open book/_build/html/index.html in a browser"
 
 # The pages are brought up to date first; from what was computed before, unless something changed.
@@ -65,6 +66,10 @@ bench: $(READY) ## how fast it is beside the limit of the machine and other pack
 		echo "The other packages cannot be installed here: their comparisons are left out"
 	@$(BIN)/granular speed --out book/_data/speed.json
 	@$(BIN)/python -m pytest tests/benchmarks/test_routes.py -m benchmark -s -q
+
+# Of the last commit, in another folder; run it on a machine that does nothing else.
+times: $(READY) ## how long a cold build of the book takes, and every page of it
+	@$(BIN)/python book/_ext/build_times.py book/_data/build_times.json
 
 clean: ## remove everything that can be rebuilt
 	@rm -rf $(VENV) build book/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache *.egg-info

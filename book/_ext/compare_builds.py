@@ -1,7 +1,11 @@
-"""Compare two built books byte by byte: ``python compare_builds.py A B``; exit code 1 if they differ."""
+"""Compare two built books byte by byte: ``python compare_builds.py A B``; exit code 1 if they differ.
+
+With one folder, say what is in it: the number of its files, and a digest that only an equal book has.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import sys
 from pathlib import Path
 
@@ -21,11 +25,21 @@ def differences(first: Path, second: Path) -> list[str]:
     return sorted(found)
 
 
+def digest(root: Path) -> str:
+    """SHA-256 of what ``sha256sum`` prints for the files of a built book, in the order of their names."""
+    lines = (f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {name}\n" for name, path in files_below(root).items())
+    return hashlib.sha256("".join(lines).encode()).hexdigest()
+
+
 def main() -> int:
-    """Compare the two folders named on the command line."""
-    if len(sys.argv) != 3:
-        print("usage: compare_builds.py FIRST SECOND", file=sys.stderr)
+    """Compare the two folders named on the command line, or describe the only one."""
+    if len(sys.argv) not in {2, 3}:
+        print("usage: compare_builds.py FIRST [SECOND]", file=sys.stderr)
         return 2
+    if len(sys.argv) == 2:
+        root = Path(sys.argv[1])
+        print(f"{len(files_below(root))} files, SHA-256 {digest(root)}")
+        return 0
     first, second = map(Path, sys.argv[1:])
     if not files_below(first) or not files_below(second):
         print(f"nothing built in {first if not files_below(first) else second}", file=sys.stderr)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from compare_builds import differences
+from compare_builds import differences, digest
 
 
 def build(root: Path, **pages: str) -> Path:
@@ -27,3 +27,11 @@ def test_every_difference_is_named(tmp_path: Path) -> None:
     found = differences(first, second)
     assert found == ["differs: html/index.html", f"only in {first}: html/only_first.html",
                      f"only in {second}: html/only_second.html"]
+
+
+def test_equal_books_have_one_digest(tmp_path: Path) -> None:
+    """Breaks when the digest takes the folder along, or does not see a page that changed its name or its text."""
+    first = digest(build(tmp_path / "a", index="x"))
+    assert digest(build(tmp_path / "b", index="x")) == first
+    assert digest(build(tmp_path / "c", index="y")) != first
+    assert digest(build(tmp_path / "d", other="x")) != first

@@ -25,6 +25,7 @@ DATA_FILES = {
     "_data/fit_sand.toml": "wave speeds made up for the page on fits",
     "_data/length_times.json": "measured times of branch lengths",
     "_data/cost.json": "measured times and errors of every way of computing",
+    "_data/build_times.json": "measured times of a cold build and of its pages",
     "_data/speed.json": "measured times of many assemblies, beside the limit of the machine and other packages",
     "_data/promises.json": "results at four wanted accuracies, held against certified values",
     "_data/choices.json": "measured times of the route that a plan chose and of all others",
