@@ -35,7 +35,7 @@ def test_printed_tables_are_explained() -> None:
     """Breaks when a printed ratio is no longer what 24 panels give, rounded or cut, or a misprint."""
     found = [ratio for name in paper_tables.TABLES for ratio in paper_tables.printed_ratios(name)]
     assert {ratio.ruling for ratio in found} == {
-        "rule, rounded", "rule, cut", "1 by symmetry", "misprint for 0.857", "misprint for 0.774"}
+        "rule, rounded", "rule, cut", "by symmetry", "misprint for 0.857", "misprint for 0.774"}
     assert len(taken_away(paper_panels.verdicts().text)) == 1 + 18
     assert "it alone does" in paper_panels.which_panels().text
     assert "of Table V, 2" in paper_panels.what_separates(22, 30).text

@@ -63,7 +63,7 @@ def _material() -> dict[str, Any]:
 
 def _words(case: Mapping[str, str]) -> str:
     name = case["case"]
-    return name if "=" in name else f"case {name}"
+    return name.replace("SR =", "stress ratio") if "=" in name else f"case {name}"
 
 
 def _toml(content: Mapping[str, Mapping[str, Any]]) -> str:

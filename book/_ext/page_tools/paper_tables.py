@@ -33,7 +33,7 @@ GROSS = 0.1
 BY_SYMMETRY = 1e-12
 """A ratio this close to 1 is 1 because the assembly is isotropic."""
 
-WORDS = {"rounded": "rule, rounded", "cut": "rule, cut", "no": "not explained", "symmetry": "1 by symmetry"}
+WORDS = {"rounded": "rule, rounded", "cut": "rule, cut", "no": "not explained", "symmetry": "by symmetry"}
 """Verdicts as a table shows them."""
 
 
@@ -149,8 +149,8 @@ def table_of(name: str) -> Markup:
 def picture_of(name: str) -> Static:
     """Draw both ratios of every case, exact and printed."""
     found = printed_ratios(name)
-    labels = [ratio.case["case"].replace("D33", "$D_{33}$") if "=" in ratio.case["case"] else f"case {ratio.label}"
-              for ratio in found[::2]]
+    named = [ratio.case["case"].replace("D33", "$D_{33}$").replace("SR", "ratio") for ratio in found[::2]]
+    labels = [name if "=" in name else f"case {name}" for name in named]
     of_name = {ratio: [one for one in found if one.name == ratio] for ratio, _ in RATIOS}
     return Static(draw_ratios(
         labels, {ratio: [one.exact for one in ones] for ratio, ones in of_name.items()},
@@ -187,4 +187,5 @@ def _number(count: int) -> str:
 
 def _tenfold(error: float) -> str:
     """A bound as a power of ten, rounded up."""
-    return f"$10^{{{math.ceil(math.log10(error))}}}$"
+    exponent = str(math.ceil(math.log10(error))).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"10{exponent}"
