@@ -29,8 +29,8 @@ WORD = re.compile(r"[^\W\d_]+(?:['’][^\W\d_]+)*")
 """Letters of any alphabet, with apostrophes inside."""
 DIVIDED = re.compile(r"(?<=[a-z])-\n(?=[a-z])")
 """A label of a figure may divide a word."""
-NAME_IN_CODE = re.compile(r"[a-z][A-Z]|^(?:ELA|GRD|NUM|SCN|SLP|SWP|WAV)$")
-"""Names of classes and units have capitals inside; three capitals name a family of refusals."""
+NAME_IN_CODE = re.compile(r"[a-z][A-Z]|^[A-Z]+s?$")
+"""Names of classes and units have capitals inside; abbreviations are capitals throughout."""
 SCRIPT = re.compile(r"=>|;\n|; [a-z-]+:|\{ [a-z-]+:|rgba\(|, \.[a-z]")
 """Style sheets and scripts of pages are no prose."""
 SHORTEST = 3
