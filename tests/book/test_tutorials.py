@@ -149,6 +149,21 @@ def test_speeds_are_read_with_their_weights() -> None:
     assert doubt == pytest.approx(2 * value / speed * both[0].uncertainty / 2**0.5)
 
 
+def test_figures_show_what_was_computed() -> None:
+    """Breaks when measured points and model lines are exchanged, or a section is not that of the soil."""
+    drawn = tutorial_lab.compared_drawn().figure.axes[0]
+    heights = [list(line.get_ydata()) for line in drawn.lines if len(line.get_ydata()) == 3]
+    measured, _ = tutorial_lab.readings("C3333", 1)
+    assert any(height[1] == pytest.approx(measured / 1e6) for height in heights)
+    model = tutorial_lab.modelled(1e5).stiffness
+    assert any(height[1] == pytest.approx(model.C2323 / 1e6) for height in heights)
+    contacts, stiffness = start.picture().figure.axes[1:]
+    upright = {round(float(max(line.get_ydata())), 6) for line in stiffness.lines}
+    assert round(start.soil().stiffness.C3333 / 1e6, 6) in upright
+    pressed, sheared = contacts.lines[:2]
+    assert max(pressed.get_ydata()) > max(sheared.get_ydata()) > 0
+
+
 def test_answers_of_the_first_page() -> None:
     """Breaks when a question has no link to go on with, or the answers leave out their evidence."""
     rows = [line for line in start.questions().text.splitlines() if line.startswith("| **")]
@@ -185,7 +200,8 @@ def test_the_new_closed_form() -> None:
         if D3333 == 0:
             six = axial_stiffness(D33, Dr33, kinetic=False)
             even = (2 * six[0] + six[1] + 2 * six[2] + 4 * six[3]) / 9
-            assert emitted_function()(D33, D3333, Dr33)[0] == pytest.approx(even, rel=1e-14)  # some roundings
+            found, = emitted_function()(D33, D3333, Dr33)
+            assert found == pytest.approx(even, rel=1e-14)  # roundings
 
 
 def test_voices_of_the_new_closed_form() -> None:

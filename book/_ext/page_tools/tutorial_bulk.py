@@ -41,13 +41,13 @@ def pressed_contact() -> sp.Expr:
 
 
 def of_components(six: tuple[sp.Expr, ...]) -> sp.Expr:
-    """C_iijj/9: mean pressure over volumetric strain when all sides are strained alike."""
+    """C_iijj/9: mean pressure over the volumetric strain."""
     c1111, c3333, c1122, c1133, _, _ = six
     return sp.expand((2 * c1111 + c3333 + 2 * c1122 + 4 * c1133) / 9)
 
 
 def closed_form() -> sp.Expr:
-    """K_even over (M/V) l_e^2 k_n for contacts that are all alike, arranged for computing."""
+    """K_even over (M/V) l_e^2 k_n for contacts that are alike."""
     bracket = sp.Rational(1, 5) + sp.Rational(2, 35) * (D33 + D3333)
     return (1 + Dr33 * (2 * D33 / 5 + Dr33 * bracket)) / 9
 
@@ -80,12 +80,15 @@ def steps() -> tuple[Step, ...]:
              (rf"{NAME} = \tfrac19\frac{{M}}{{V}}\ell_e^2\,\bigl\langle 4\pi E\,W^2 k_n\bigr\rangle",),
              (Claim(of_components(kinetic_components.components()), sum_of_moments),)),
         Step("Contacts that are all alike",
-             "The moments are polynomials in the fabric. Without branch anisotropy contact normals do not change it.",
-             (rf"{NAME} = \tfrac19\frac{{M}}{{V}}\ell_e^2k_n\Bigl[1 + \tfrac25{latex(D33)}{latex(Dr33)} + "
-              rf"\Bigl(\tfrac15 + \tfrac2{{35}}\bigl({latex(D33)} + {latex(D3333)}\bigr)\Bigr)"
-              rf"\bigl({latex(Dr33)}\bigr)^2\Bigr]",),
+             "The moments are polynomials in the fabric. Without branch "
+             "anisotropy contact normals do not change it.",
+             (rf"\frac{{9\,{NAME}}}{{(M/V)\,\ell_e^2k_n}} = "
+              rf"1 + \tfrac25{latex(D33)}{latex(Dr33)} + \bigl(\tfrac15 + "
+              rf"\tfrac2{{35}}({latex(D33)} + {latex(D3333)})\bigr)"
+              rf"\bigl({latex(Dr33)}\bigr)^2",),
              (Claim(sum_of_moments.xreplace(alike), closed_form()),
-              Claim(closed_form().subs(Dr33, 0), sp.Rational(1, 9))), result=True),
+              Claim(closed_form().subs(Dr33, 0), sp.Rational(1, 9))),
+             result=True),
         Step("Against equal pressure",
              "Under equal pressure the sides may strain differently, and the bulk modulus $K$ is smaller: by a square, "
              "which is zero where the pressure strains all sides alike.",
@@ -97,6 +100,13 @@ def steps() -> tuple[Step, ...]:
 @cache
 def even_bulk() -> Derivation:
     """Derive the bulk modulus that an even strain meets."""
+    emitted = Function(
+        name="even_bulk",
+        summary="Bulk modulus under an even strain over (M/V) l_e^2 k_n.",
+        arguments=(D33, D3333, Dr33),
+        assignments=((K_even, closed_form()),),
+        returns=(K_even,),
+    )
     return Derivation(
         name="even_bulk",
         title="Bulk modulus under an even strain",
@@ -106,6 +116,5 @@ def even_bulk() -> Derivation:
         inputs=(D33, D3333, Dr33),
         outputs=(Output(K_even, closed_form()),),
         steps=steps(),
-        functions=(Function("even_bulk", "Bulk modulus under an even strain over (M/V) l_e^2 k_n.",
-                            (D33, D3333, Dr33), ((K_even, closed_form()),), (K_even,)),),
+        functions=(emitted,),
     )
