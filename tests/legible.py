@@ -6,6 +6,7 @@ import itertools
 import re
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
@@ -68,3 +69,20 @@ def require_units(figure: Figure) -> None:
                                  (axes.get_ylabel(), axes.get_yticklabels())):
                 if any(tick.get_text() for tick in ticks):
                     assert re.search(r"\[.+\]", label), axes
+
+
+def require_more_than_colour(figure: Figure) -> None:
+    """Curves of one panel that share dashes, marker and width are named in their colour beside them, not in a key."""
+    for axes in figure.axes:
+        if axes.name == "3d":
+            continue
+        texts = [text for text in (*axes.texts, *figure.texts) if text.get_text().strip()]
+        named = {to_hex(text.get_color()) for text in texts}
+        groups: dict[object, set[str]] = {}
+        for line in axes.lines:
+            if line.get_visible() and len(line.get_xdata()) > 2:
+                style = (vars(line)["_dash_pattern"], line.get_marker(), round(line.get_linewidth(), 1))
+                groups.setdefault(str(style), set()).add(to_hex(line.get_color()))
+        for colours in groups.values():
+            silent = {colour for colour in colours if not {colour, look.readable(colour)} & named}
+            assert len(colours) < 2 or len(silent) < 2, (axes.get_title(), axes.get_ylabel(), sorted(silent))

@@ -42,7 +42,7 @@ from granular.loading import Loading
 from granular.waves import waves
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-from legible import require_large_words, require_units, require_words_apart
+from legible import require_large_words, require_more_than_colour, require_units, require_words_apart
 
 patient = settings(deadline=None)  # a time limit would be a verdict on a busy machine
 SCENE = granular.Scene.model_validate({
@@ -86,6 +86,11 @@ def drawn(request):
 def test_no_text_is_small(drawn):
     # text that cannot be read on the page, at the width of the book's column
     require_large_words(drawn)
+
+
+def test_curves_differ_by_more_than_colour(drawn):
+    # curves that are one in grey print, or to a reader who sees no red
+    require_more_than_colour(drawn)
 
 
 def test_no_text_is_cut_or_overlaps(drawn):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +16,9 @@ from granular.figures.anisotropy_maps import Place
 from granular.figures.contour_names import on_path
 from granular.general import GeneralFabric, general_stiffness
 from granular.measures import MEASURES, measure
-from tests.legible import require_large_words, require_units, require_words_apart
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from legible import require_large_words, require_more_than_colour, require_units, require_words_apart
 
 PLACES = (Place("one", 0.3, -0.3), Place("two", 0.0, 0.0, "^"))
 DRAWN = {
@@ -34,9 +38,10 @@ def drawn(request):
 
 
 def test_words_can_be_read(drawn):
-    """Breaks when text is small, cut or over other text, or an axis has no unit."""
+    """Breaks when text is small, cut or over other text, curves differ by colour alone, or an axis has no unit."""
     name, figure = drawn
     require_large_words(figure)
+    require_more_than_colour(figure)
     if name in ("lines", "triangle"):
         require_words_apart(figure)
     if name != "triangle":

@@ -37,7 +37,7 @@ from granular.waves import phase_velocities
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from general_fabrics import general_fabric, rotation, traceless
 from general_solids import solid
-from legible import require_large_words, require_units, require_words_apart
+from legible import require_large_words, require_more_than_colour, require_units, require_words_apart
 
 FABRIC = general_fabric(3, branches=0.3)
 SHEARED = GeneralLoading([[1.0, 0.25, 0.1], [0.25, 1.2, 0.2], [0.1, 0.2, 2.0]], 0.3)
@@ -71,6 +71,11 @@ def drawn(request):
 def test_every_word_is_legible(drawn):
     # text too small, cut or covered, or a number without its unit
     require_large_words(drawn)
+
+
+def test_curves_differ_by_more_than_colour(drawn):
+    # curves that are one in grey print, or to a reader who sees no red
+    require_more_than_colour(drawn)
     require_words_apart(drawn)
     require_units(drawn)
 
