@@ -17,7 +17,7 @@ from page_tools.reference_names import explained, name_of
 _TITLE = re.compile(r"^(\S[^\n]*)\n-{3,}\n", flags=re.MULTILINE)
 _OWN = re.compile(r"(?:^|(?<=[.;] ))(Accuracy|Source|Cost[^:.]{0,60}): ")
 _LOWERED = re.compile(r"\b([A-Za-z])\\_([A-Za-z0-9]{1,4}(?:,[a-z]+)?)(?![A-Za-z0-9])")
-_RAISED = re.compile(r"(?<=\w)\^(?:(-?\d+)|\(([-\d/]+)\))")
+_RAISED = re.compile(r"(?<=\w)\^(?:(-?\d+|[a-z]+(?![\w\\]))|\(([-+/\w]+)\))")
 _NUMBER = re.compile(r"\((\d+)\)")
 _CITED = r"\b[Ee]qs?\.? \(\d+\)(?:(?:, and |, | and |-)\(\d+\))*"
 _LINKED = re.compile(rf":\w+:`~?[^`]+`|``[^`]+``|{_CITED}")
