@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from granular.checks.bought_accuracy import ACCURACIES, bought
 from granular.figures.look import BLUE, GREEN, ORANGE, PURPLE, SOFT_INK, VERMILION, blank, house_style
@@ -17,6 +17,9 @@ DRAWN = (("kinetic", Hypothesis.KINEMATIC, "forces, no slip", BLUE, "o"),
          ("opened", Hypothesis.KINEMATIC, "opened contacts", PURPLE, "D"),
          ("sliding", Hypothesis.KINEMATIC, "sliding contacts", VERMILION, "^"))
 """Scenes of the cost study, from smooth integrands to those with edges, with name, colour and marker."""
+
+DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (5, 1.5, 1, 1.5)), (0, (9, 2)))
+"""Of their lines."""
 
 LEAST = 1e-17
 """Errors below this are drawn at the lower edge."""
@@ -37,12 +40,12 @@ def bought_accuracy() -> Figure:
     """
     figure = blank(height=6.2)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.15))
-    for name, hypothesis, label, colour, marker in DRAWN:
+    for (name, hypothesis, label, colour, marker), line in zip(DRAWN, DASHES, strict=True):
         found = bought(name, hypothesis)
         wanted = [one.rtol for one in found]
-        above.loglog(wanted, [one.evaluations for one in found], marker=marker, markersize=4.5, linewidth=1.0,
-                     color=colour, label=label)
-        below.loglog(wanted, [one.promised for one in found], color=colour, linewidth=1.0)
+        above.loglog(wanted, [one.evaluations for one in found], linestyle=line, marker=marker, markersize=4.5,
+                     linewidth=1.0, color=colour, label=label)
+        below.loglog(wanted, [one.promised for one in found], color=colour, linestyle=line, linewidth=1.0)
         below.loglog(wanted, [max(one.error, LEAST) for one in found], marker, markersize=4.5, color=colour)
     below.loglog(ACCURACIES, ACCURACIES, color=SOFT_INK, linestyle=":", linewidth=1.2)
     below.annotate("wanted", (ACCURACIES[4], ACCURACIES[4]), xytext=(4, 4), textcoords="offset points",
