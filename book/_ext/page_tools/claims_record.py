@@ -68,9 +68,9 @@ def counted() -> Markup:
     """Box how many claims have which ruling."""
     counts = Counter(claim.ruling for claim in CLAIMS)
     return boxed("What becomes of the claims", Markup(
-        f"Of {len(CLAIMS)} conclusions that the paper draws and its own model can test, {counts[Ruling.HOLDS]} hold. "
-        f"Of {counts[Ruling.MORE]} more holds than is printed, {counts[Ruling.PART]} holds for some assemblies and not "
-        f"for others, and {counts[Ruling.FAILS]} do not follow from the equations."))
+        f"Of {len(CLAIMS)} conclusions that the paper draws and its own model can test, {counts[Ruling.HOLDS]} hold and "
+        f"{counts[Ruling.FAILS]} do not follow from the equations. In between, more holds than is printed for "
+        f"{counts[Ruling.MORE]}, and {counts[Ruling.PART]} holds for some assemblies and not for others."))
 
 
 def summary() -> Markup:
@@ -78,7 +78,7 @@ def summary() -> Markup:
     rows = [[claim.says, claim.place, f"{{ref}}`{claim.ruling.value} <{claim.label}>`", claim.follows]
             for claim in CLAIMS]
     return table(["the paper says", "where", "verdict", "what follows"], rows, label="tab-claims", align="llll",
-                 look="words-first", take_away="claims.csv",
+                 look="words-first errata", take_away="claims.csv",
                  taken=[["claim", "where", "verdict", "what follows"],
                         *([claim.says, claim.place, claim.ruling.value, claim.follows] for claim in CLAIMS)],
                  caption="Conclusions of the paper, and what its equations make of them.")

@@ -106,7 +106,7 @@ def summary() -> Markup:
     rows = [[f"{{ref}}`{slip.title.replace('$r_{50}$', 'r50')} <{slip.label}>`", slip.where, slip.consequence]
             for slip in SLIPS]
     return table(["slip", "where", "consequence for who takes it at its word"], rows, label="tab-errata",
-                 look="errata", align="lll", take_away="errata.csv",
+                 look="words-first errata", align="lll", take_away="errata.csv",
                  taken=[["slip", "where", "printed", "must be", "consequence"],
                         *([slip.title, slip.where, slip.printed, slip.must_be, slip.consequence] for slip in SLIPS)],
                  caption=f"The {len(SLIPS)} slips of the print, in the order of the paper.")

@@ -34,7 +34,7 @@ HOLDS, NOT_QUITE, FAILS = "holds", "not quite", "does not hold"
 def said(number: int, rows: Iterable[tuple[str, str, str]]) -> Markup:
     """Put what the paper says of a figure beside what was computed and the verdict."""
     return table(["the paper says", "computed", "verdict"], list(rows), label=f"tab-said-{number}", align="lll",
-                 look="words-first", take_away=f"figure_{number}_statements.csv",
+                 look="words-first errata", take_away=f"figure_{number}_statements.csv",
                  caption=f"What the text of the paper says of Figure {number}.")
 
 
