@@ -68,8 +68,8 @@ def counted() -> Markup:
     """Box how many claims have which ruling."""
     counts = Counter(claim.ruling for claim in CLAIMS)
     return boxed("What becomes of the claims", Markup(
-        f"Of {len(CLAIMS)} conclusions that the paper draws and its own model can test, {counts[Ruling.HOLDS]} hold and "
-        f"{counts[Ruling.FAILS]} do not follow from the equations. In between, more holds than is printed for "
+        f"Of {len(CLAIMS)} conclusions that the paper draws and its own model can test, {counts[Ruling.HOLDS]} hold "
+        f"and {counts[Ruling.FAILS]} do not follow from the equations. In between, more holds than is printed for "
         f"{counts[Ruling.MORE]}, and {counts[Ruling.PART]} holds for some assemblies and not for others."))
 
 
