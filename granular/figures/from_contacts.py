@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from granular.contact_distribution import normal_stiffness, shear_stiffness
 from granular.directions import relative_density
 from granular.engineering import normal_stiffness as confined_stiffness
+from granular.figures.contacts import loading_of
 from granular.figures.look import BLUE, GREEN, SOFT_INK, VERMILION, blank, house_style, readable
 from granular.figures.surfaces import draw_section
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
     from granular.evaluation import Evaluation
     from granular.figures.surfaces import Array, Radius
+    from granular.scene import Scene
 
 ROOM = 1.28
 """Half the side of a panel over the largest radius in it [-]."""
@@ -25,13 +27,15 @@ Curve = tuple["Radius", str, str]
 
 
 @house_style
-def from_contacts(result: Evaluation) -> Figure:
+def from_contacts(scene: Scene, result: Evaluation) -> Figure:
     """Draw three sections through axis 3: density of contact normals, contact stiffness, stiffness of the assembly.
 
     Parameters
     ----------
+    scene : Scene
+        An assembly that is symmetric about axis 3.
     result : Evaluation
-        Of a scene about axis 3 with contact forces.
+        What it was evaluated to.
 
     Returns
     -------
@@ -50,8 +54,7 @@ def from_contacts(result: Evaluation) -> Figure:
     """
     import numpy as np
 
-    plan, stiffness = result.plan, result.stiffness
-    contacts = plan.fabric, plan.loading
+    stiffness, contacts = result.stiffness, (scene.fabric, loading_of(scene))
 
     def of_contact(modulus: Radius) -> Radius:
         return lambda cosine: modulus(np.minimum(np.abs(cosine), 1.0))
@@ -61,10 +64,10 @@ def from_contacts(result: Evaluation) -> Figure:
         return np.array([confined_stiffness(stiffness, degrees=float(angle)) for angle in angles]) / 1e6
 
     pressed = of_contact(partial(normal_stiffness, *contacts))
-    sheared = of_contact(partial(shear_stiffness, *contacts, poisson_ratio=plan.poisson_ratio))
+    sheared = of_contact(partial(shear_stiffness, *contacts, poisson_ratio=scene.grains.poisson_ratio))
     figure = blank(height=2.45)
     panels = figure.subplots(1, 3)
-    _draw(panels[0], "Where contacts\npoint", 1.0, (partial(relative_density, plan.fabric), GREEN, "-"))
+    _draw(panels[0], "Where contacts\npoint", 1.0, (partial(relative_density, scene.fabric), GREEN, "-"))
     _draw(panels[1], "How stiff\neach contact is", 1.0, (pressed, BLUE, "-"), (sheared, VERMILION, "--"))
     _draw(panels[2], "How stiff\nthe assembly is", stiffness.C1111 / 1e6, (confined, BLUE, "-"))
     for place, text, colour, anchor in ((0.0, "pressed", BLUE, "left"), (1.0, "sheared", VERMILION, "right")):
@@ -90,5 +93,5 @@ def _draw(axes: Axes, title: str, circle: float, *curves: Curve) -> None:
     for side in axes.spines.values():
         side.set_visible(False)
     arm = (-1.1 * reach, 1.1 * reach)
-    for line in ((arm, (0.0, 0.0)), ((0.0, 0.0), arm)):
-        axes.plot(*line, color=SOFT_INK, linewidth=0.5, zorder=0)
+    for across, upward in ((arm, (0.0, 0.0)), ((0.0, 0.0), arm)):
+        axes.plot(across, upward, color=SOFT_INK, linewidth=0.5, zorder=0)

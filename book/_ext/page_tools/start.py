@@ -63,7 +63,7 @@ def trusted() -> Markup:
 
 def picture() -> Static:
     """Draw the way from contacts to stiffness for the soil of the first five minutes."""
-    return Static(from_contacts(soil()))
+    return Static(from_contacts(Scene.from_toml(SOIL), soil()))
 
 
 def answer() -> Markup:
