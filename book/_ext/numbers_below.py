@@ -35,7 +35,7 @@ class ImageWithNumbers:
         return [*renderer.render_image(data), nodes.raw("", link, format="html", numbers=True)]
 
 
-def below_the_figure(app: Sphinx, doctree: nodes.document, page: str) -> None:
+def below_the_figure(_app: Sphinx | None, doctree: nodes.Element, page: str) -> None:
     """Move each link behind the figure it stands in, give it the figure's name, or drop it for the page's own."""
     for number, link in enumerate(list(doctree.findall(_is_link)), start=1):
         figure = link.parent if isinstance(link.parent, nodes.figure) else None

@@ -22,8 +22,11 @@ from granular.figures.drawn_data import drawn_data
 pytestmark = pytest.mark.book
 
 TWINS = {
+    "plotly-anisotropy": "fig-anisotropy",
     "plotly-cost-chooser": "fig-cost-sliding",
     "plotly-figure-5": "fig-five",
+    "plotly-figure-8": "fig-eight-round",
+    "plotly-figure-9": "fig-nine-round",
     "plotly-mohr": "fig-mohr",
     "plotly-speed-scaling": "fig-speed-scaling",
 }
