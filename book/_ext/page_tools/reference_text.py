@@ -8,6 +8,7 @@ from functools import cache
 from types import ModuleType
 
 from granular import errors
+from granular.sweeps.scene_fields import table_types
 from page_tools.contents import page_link
 from page_tools.emitted import PAGE_OF
 from page_tools.ledger import derived
@@ -135,12 +136,21 @@ def _classes() -> dict[str, str]:
     return {name.rpartition(".")[2]: name for name, thing in explained().items() if isinstance(thing, type)}
 
 
+@cache
+def _of_type(name: str) -> str | None:
+    """Link to a class, or to a table of the scene file; None for any other word."""
+    if name in _classes():
+        return role(_classes()[name], name)
+    tables = {kind.__name__: table for table, kind in table_types().items()}
+    return f"{{ref}}`{name} <sec-scene-table-{tables[name]}>`" if name in tables else None
+
+
 def typed(text: str) -> str:
     """What a value is: its type, linked where the reference explains it."""
     shown, end = [], 0
     for word in _CLASS.finditer(text):
-        if word[0] in _classes():
-            shown += [quoted(text[end:word.start()]), role(_classes()[word[0]], word[0])]
+        if (link := _of_type(word[0])) is not None:
+            shown += [quoted(text[end:word.start()]), link]
             end = word.end()
     return "".join([*shown, quoted(text[end:])])
 
