@@ -25,7 +25,7 @@ from pdf_outline import finish, pages_of, pages_of_lists
 
 # A4 without the margins that print.css gives, at 96 pixels an inch: formulas are broken for the width of the paper.
 PAPER_WIDTH, PAPER_HEIGHT = 672, 979
-TIMEOUT = 240.0  # for the load of all pages at once, and for printing them; a slow machine needs a third of it
+TIMEOUT = 900.0  # for the load of all pages at once, and for printing them; a machine at work on other things is slow
 MISSING = ("The PDF is printed by Chromium, which is not installed: apt install chromium, or name the program with "
            "make pdf CHROMIUM=...")
 FIT = (Path(__file__).parent / "pdf_fit.js").read_text(encoding="utf-8")
