@@ -75,8 +75,17 @@ DRAWN = {
 }
 
 
+@pytest.fixture(scope="module", autouse=True)
+def coarse_surfaces():
+    # fewer faces, the same outlines: drawing those of a printed surface takes seconds, and no test looks at them
+    with pytest.MonkeyPatch.context() as patch:
+        for module in ("fabric", "paper_figure_5", "stiffness"):
+            patch.setattr(f"granular.figures.{module}.IN_PRINT", (19, 13))
+        yield
+
+
 @pytest.fixture(scope="module", params=DRAWN)
-def drawn(request):
+def drawn(request, coarse_surfaces):
     figure = DRAWN[request.param]()
     figure.first_svg = files.static_bytes(figure, "svg")  # settles the layout
     figure.draw_without_rendering()  # places the labels for the resolution that boxes are measured in

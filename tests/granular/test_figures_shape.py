@@ -50,8 +50,16 @@ SCENES = {name: granular.Scene.model_validate({
             "gradation": {"distribution": "lognormal", "median": "5 mm", "spread": 1.5}}}.items()}
 
 
+@pytest.fixture(scope="module", autouse=True)
+def coarse_surfaces():
+    # fewer faces, the same outlines: drawing those of a printed surface takes seconds, and no test looks at them
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("granular.figures.spheroid_surfaces.IN_PRINT", (19, 13))
+        yield
+
+
 @pytest.fixture(scope="module", params=DRAWN)
-def drawn(request):
+def drawn(request, coarse_surfaces):
     figure = DRAWN[request.param]()
     files.static_bytes(figure, "svg")  # settles the layout
     figure.draw_without_rendering()
