@@ -44,7 +44,7 @@ def copy_assets(app: Sphinx) -> None:
     import plotly
 
     vendor = Path(app.outdir, "_static", "vendor")
-    shutil.rmtree(vendor, ignore_errors=True)
+    shutil.rmtree(vendor / "mathjax", ignore_errors=True)  # the theme keeps its own files beside it
     shutil.copytree(Path(app.srcdir, "_vendor", "mathjax"), vendor / "mathjax")
     plotly_folder = Path(plotly.__file__).parent / "package_data"
     shutil.copyfile(plotly_folder / "plotly.min.js", vendor / "plotly.min.js")
