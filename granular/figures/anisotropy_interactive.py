@@ -80,7 +80,7 @@ def anisotropy_interactive(places: Sequence[Place] = ()) -> Any:
         x=D33_RANGE, y=[-end / 2 for end in D33_RANGE], mode="lines", hoverinfo="skip",
         line={"color": INK, "dash": "dot", "width": 1.5}), *_marks(places)])
     figure.update_layout(**plotly_layout(
-        height=640, showlegend=False, margin={"l": 10, "r": 10, "t": 50, "b": 10},
+        height=670, showlegend=False, margin={"l": 10, "r": 10, "t": 80, "b": 10},
         xaxis={"title": {"text": "contact normals, D<sub>33</sub> [–]"}, "range": D33_RANGE, "dtick": 0.5, "tick0": 0},
         yaxis={"title": {"text": "branches, D<sup>r</sup><sub>33</sub> [–]"}, "range": DR33_RANGE, "dtick": 0.25,
                "tick0": 0},
