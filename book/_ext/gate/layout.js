@@ -62,8 +62,9 @@
         if (!box && !INLINE.test(display)) {
           box = node;
           const hang = Math.min(0, parseFloat(style(node).textIndent)); // an indent to the left is meant to leave the box
-          const outside = item.rects.find(rect => rect.left < frame.left + hang - SLACK || rect.right > frame.right + SLACK
-            || rect.top < frame.top - 3 * SLACK || rect.bottom > frame.bottom + 3 * SLACK);
+          const { left, right, top, bottom } = frameOf(node.closest("td, th") ?? node); // a cell has room around its text
+          const outside = item.rects.find(rect => rect.left < left + hang - SLACK || rect.right > right + SLACK
+            || rect.top < top - 3 * SLACK || rect.bottom > bottom + 3 * SLACK);
           if (outside && !scrolls(overflowX) && !isCut(overflowX)) told("outside its box", item, `, ${name(node)}`);
         }
         const cut = rect => (isCut(overflowX) && (rect.left < frame.left - SLACK || rect.right > frame.right + SLACK))
