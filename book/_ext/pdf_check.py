@@ -21,7 +21,7 @@ from pdf_outline import page_numbers, places_of
 from pypdf import PdfReader
 from pypdf.generic import Destination
 
-MOST_PAGES = 25  # of a chapter; the longest has about fifteen
+MOST_PAGES = 80  # of a chapter; formulas with their code to copy are the longest
 LEAST_MARKS = 300  # bytes of drawing on a page; its number and running head alone take less
 WORD = re.compile(r"[A-Za-z]{4,}")
 LIGATURES = str.maketrans({"ﬀ": "ff", "ﬁ": "fi", "ﬂ": "fl", "ﬃ": "ffi", "ﬄ": "ffl"})
