@@ -35,16 +35,16 @@ def number(text: str) -> float:
 def test_elementary_form_has_no_digit_left_where_the_page_says_so() -> None:
     """Breaks when the naive column is no longer naive, or the series loses digits."""
     found = rows(shape.near_sphere_table())
-    assert found[-1]["$D_{33} = 0.3$"] == "no number"
-    assert number(found[-3]["$D_{33} = 0.3$"]) > 1
-    assert all(number(row["series, $D_{33} = 0.3$"]) < 1e-15 for row in found)
+    assert found[-1]["D_33 = 0.3"] == "no number"
+    assert number(found[-3]["D_33 = 0.3"]) > 1
+    assert all(number(row["series, D_33 = 0.3"]) < 1e-15 for row in found)
 
 
 def test_routes_keep_their_promise() -> None:
     """Breaks when a shape costs digits, or the closed form is planned outside its domain."""
     found = rows(shape.shape_routes())
     assert all(number(row["error"]) <= number(row["promised error"]) for row in found)
-    assert {row["route"] for row in found} == {"`closed_form`", "`axial`"}
+    assert {row["route"] for row in found} == {"closed_form", "axial"}
 
 
 def test_static_is_below_free_and_free_below_fixed() -> None:
@@ -52,17 +52,17 @@ def test_static_is_below_free_and_free_below_fixed() -> None:
     for shown in (shape.spin_table(), shape.sphere_spin_table()):
         for row in rows(shown):
             assert number(row["static"]) <= number(row["free"]) <= number(row["fixed"])
-            assert -5 < number(row["static/free − 1"]) < 0  # "nearly the second" column
+            assert -5 < number(row["static/free - 1"]) < 0  # "nearly the second" column
 
 
 def test_deviation_is_as_derived() -> None:
     """Breaks when the largest deviation is looked for in another direction: tan of it is (r - 1/r)/2."""
     found = rows(shape.surfaces_table())
     for row in found:
-        ratio = number(row["$b/a$"])
+        ratio = number(row["b/a"])
         expected = math.degrees(math.atan(abs(ratio - 1 / ratio) / 2))
         assert number(row["largest deviation"]) == pytest.approx(expected, abs=0.06)  # both are rounded in the table
-    assert found[0]["at the angle $\\beta$"] == "–"
+    assert found[0]["at the angle beta"] == "-"
 
 
 def test_most_of_the_anisotropy_comes_from_the_angle() -> None:
@@ -76,9 +76,9 @@ def test_words_on_the_collinear_assumption_come_from_the_library() -> None:
     """Breaks when a sentence of the page is cut off from the numbers: 22 % at 0.9, a quarter of the slope."""
     assert "1.398" in collinear.headline(0.9).text
     assert "keeps 26.0 %" in collinear.kept_slopes().text
-    errors = {row["$b/a$"]: row for row in rows(collinear.compression_table())}
-    assert errors["0.9"]["error with $W$"] == "−22.1 %"
-    assert errors["1"]["error with $W$"] == "0"
+    errors = {row["b/a"]: row for row in rows(collinear.compression_table())}
+    assert errors["0.9"]["error with the weight"] == "-22.1 %"
+    assert errors["1"]["error with the weight"] == "0"
 
 
 def test_more_directions_are_better_until_rounding() -> None:
@@ -94,7 +94,7 @@ def test_spheres_need_no_other_stress() -> None:
     """Breaks when the correction of the forces touches spheres, or leaves spheroids alone."""
     for row in rows(shape_forces.balanced_table()):
         assert (row["b/a"] == "1") == (row["change of C2323/C1212"] == "0")
-    carried = {row["$b/a$"]: row["factor on the stress ratio"] for row in rows(shape_forces.carried_table())}
+    carried = {row["b/a"]: row["factor on the stress ratio"] for row in rows(shape_forces.carried_table())}
     assert carried["1"] == "1.000"
     assert number(carried["0.8"]) > 1 > number(carried["1.25"])
 
