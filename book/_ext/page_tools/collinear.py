@@ -48,7 +48,8 @@ def _error_table(place: int, ratio: str, *, label: str, take_away: str) -> Marku
              *(percent(collinear_error(name, shape)[place] / 100) for name in ORDER)] for shape in ASPECT_RATIOS]
     in_file = ["b/a", ("C1111/C3333", "C2323/C1212")[place], *(f"error with the {name}" for name in ORDER)]
     return table(["$b/a$", f"true {ratio}", *(f"error with {HEADS[name]}" for name in ORDER)], rows, label=label,
-                 align="rrrrr", take_away=take_away, taken=[in_file, *([cell.replace("−", "-") for cell in row] for row in rows)],
+                 align="rrrrr", take_away=take_away,
+                 taken=[in_file, *([cell.replace("−", "-") for cell in row] for row in rows)],
                  caption=f"{ratio} of aligned spheroids under the kinematic hypothesis, and its error when branches "
                          "are laid along the normals with three choices of length; isotropic contact normals, "
                          f"contacts of one stiffness, Poisson's ratio {POISSON:g}.")
