@@ -22,20 +22,32 @@ WORDS = """
   const frame = document.documentElement.getBoundingClientRect();
   const said = node => document.createTreeWalker(node, NodeFilter.SHOW_COMMENT).nextNode()?.data.trim() ?? node.id;
   const real = ({ width, height }) => width > 0 && height > 0;
+  const corners = node => {
+    const { x, y, width, height } = node.getBBox(), place = node.getScreenCTM();
+    return [[x, y], [x + width, y], [x + width, y + height], [x, y + height]]
+      .map(([left, top]) => new DOMPoint(left, top).matrixTransform(place));
+  };
   // Glyph by glyph: the box around a slanted text is much larger than the text.
   const texts = [...document.querySelectorAll('g[id^="text_"]')].map(node => ({
     whole: node.getBoundingClientRect(), words: said(node),
     glyphs: [...node.querySelectorAll("use, path")].filter(one => !one.closest("defs"))
-      .map(one => one.getBoundingClientRect()).filter(real),
+      .filter(one => real(one.getBoundingClientRect())).map(corners),
   })).filter(({ glyphs }) => glyphs.length);
-  const meet = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > SLACK
+  const boxes = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > SLACK
     && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > SLACK;
+  // Two slanted boxes meet unless a side of one of them parts them.
+  const parted = (a, b) => [0, 1].some(k => {
+    const along = [a[k + 1].x - a[k].x, a[k + 1].y - a[k].y], length = Math.hypot(...along) || 1;
+    const [of, other] = [a, b].map(box => box.map(({ x, y }) => (x * along[0] + y * along[1]) / length));
+    return Math.min(Math.max(...of), Math.max(...other)) - Math.max(Math.min(...of), Math.min(...other)) <= SLACK;
+  });
+  const meet = (a, b) => !parted(a, b) && !parted(b, a);
   const found = [];
   texts.forEach((one, index) => {
-    if (one.glyphs.some(({ left, right, top, bottom }) => left < frame.left - SLACK || right > frame.right + SLACK
-        || top < frame.top - SLACK || bottom > frame.bottom + SLACK)) found.push(`"${one.words}" leaves the figure`);
+    if (one.glyphs.flat().some(({ x, y }) => x < frame.left - SLACK || x > frame.right + SLACK
+        || y < frame.top - SLACK || y > frame.bottom + SLACK)) found.push(`"${one.words}" leaves the figure`);
     for (const other of texts.slice(index + 1)) {
-      if (meet(one.whole, other.whole) && one.glyphs.some(a => other.glyphs.some(b => meet(a, b)))
+      if (boxes(one.whole, other.whole) && one.glyphs.some(a => other.glyphs.some(b => meet(a, b)))
           && !allowed.some(pair => pair.includes(one.words) && pair.includes(other.words))) {
         found.push(`"${one.words}" over "${other.words}"`);
       }
