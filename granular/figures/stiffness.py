@@ -59,7 +59,7 @@ def stiffness_figure(stiffness: Stiffness) -> Figure:
         section.text(place, 1.02, text, color=readable(colour), transform=section.transAxes, va="bottom", ha=anchor)
     space = figure.add_axes((0.58, 0.19, 0.38, 0.81), projection="3d")
     shown = surface(young, IN_PRINT)
-    colours = draw_surface(space, shown, reach=greatest, zoom=1.3, **_ends(shown.radius))
+    colours = draw_surface(space, shown, reach=greatest, zoom=1.2, **_ends(shown.radius))
     figure.colorbar(colours, cax=figure.add_axes((0.63, 0.17, 0.3, 0.03)), orientation="horizontal",
                     label=f"Young's modulus [{unit}]").ax.locator_params(nbins=4)
     return figure
