@@ -17,7 +17,7 @@ from bs4 import BeautifulSoup, Tag
 
 LEFT_OUT = (
     "details.hide.above-input, details.hide.above-cell, script, template, .headerlink, .copybtn, "
-    "p.take-away, .only-dark, .only-screen"
+    "p.take-away, .only-dark, .only-screen, .toctree-wrapper"
 )
 LONGEST_FOLD = 60  # rows; the tables of measurements behind longer folds fill page after page, and are data of the book
 INTERACTIVE = ".plotly-graph-div"

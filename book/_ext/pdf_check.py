@@ -22,7 +22,8 @@ from pypdf import PdfReader
 from pypdf.generic import Destination
 
 MOST_PAGES = 80  # of a chapter; formulas with their code to copy are the longest
-LEAST_MARKS = 300  # bytes of drawing on a page; its number and running head alone take less
+FEW_MARKS = 3000  # bytes of drawing on a page; its number and running head alone take about half of it
+NUMBER_AND_HEAD = 2  # lines of text
 WORD = re.compile(r"[A-Za-z]{4,}")
 LIGATURES = str.maketrans({"ﬀ": "ff", "ﬁ": "fi", "ﬂ": "fl", "ﬃ": "ffi", "ﬄ": "ffl"})
 DATES = ("/CreationDate", "/ModDate")
@@ -88,7 +89,8 @@ def _flat(outline: list[Any]) -> Iterator[Destination]:
 
 def _about_page(page: Any) -> Iterator[str]:
     contents = page.get_contents()
-    if contents is None or len(contents.get_data()) < LEAST_MARKS:
+    if contents is None or (len(contents.get_data()) < FEW_MARKS
+                            and len(page.extract_text().strip().splitlines()) <= NUMBER_AND_HEAD):
         yield "is empty"
     for link in page.get("/Annots", ()):
         address = str(link.get_object().get("/A", {}).get("/URI", ""))
