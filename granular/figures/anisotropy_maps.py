@@ -52,6 +52,9 @@ LEVELS: dict[str, tuple[float, ...]] = {
 ALONG = ((-0.72, -0.54), (0.75, -0.3), (0.98, 0.5))
 """Where the names of lines stand: across the lines, beside the marks."""
 
+APART = 0.05
+"""Share of that path that two names need [-]."""
+
 CONSTANT = ("C1111/C3333", "C2323/C1212", "E1/E3", "delta", "nu31", "nu12")
 """Measures of the map of equal contacts; the others follow from the first two."""
 
@@ -214,7 +217,8 @@ def draw_map(axes: Axes, values: Array, name: str) -> None:
                   extend="both", alpha=0.6)
     lines = axes.contour(D33, Dr33, values, levels=levels, colors=INK, negative_linestyles="solid",
                          linewidths=[2.0 if level == isotropic else 0.7 for level in levels])
-    axes.clabel(lines, fontsize=9, inline_spacing=2, manual=on_path(D33, Dr33, values, levels, ALONG), fmt=_minus)
+    axes.clabel(lines, fontsize=9, inline_spacing=2, manual=on_path(D33, Dr33, values, levels, ALONG, APART),
+                fmt=_minus)
     first_order(axes)
 
 
@@ -229,8 +233,8 @@ def _mark_sliding(axes: Axes, ratio: float) -> None:
         D33 = 5 * (ratio - onset) / (ratio + 2 * onset)  # ratio N11/N33 = onset
         if D33_RANGE[0] < D33 < D33_RANGE[1]:
             axes.axvline(D33, color=INK, linestyle="-.", linewidth=0.9)
-            axes.annotate("←" if side == "right" else "→", (D33, DR33_RANGE[0]), (-1 if side == "right" else 1, 3),
-                          textcoords="offset points", ha=side)
+            axes.annotate("←" if side == "right" else "→", (D33, DR33_RANGE[1]), (-1 if side == "right" else 1, -3),
+                          textcoords="offset points", ha=side, va="top")
 
 
 def first_order(axes: Axes) -> None:

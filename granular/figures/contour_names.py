@@ -16,7 +16,7 @@ STEPS = 401
 
 
 def on_path(across: Array, up: Array, values: Array, levels: Sequence[float],
-            path: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+            path: Sequence[tuple[float, float]], apart: float = 0.0) -> list[tuple[float, float]]:
     """Find where lines first cross a path.
 
     Parameters
@@ -29,6 +29,9 @@ def on_path(across: Array, up: Array, values: Array, levels: Sequence[float],
         Values of the lines [same unit].
     path : sequence of tuple of 2 float
         Corners of the path, inside the grid [units of the coordinates].
+    apart : float
+        A line that crosses nearer than this to an earlier one has no name: its share of the path, each side of which
+        counts alike [-].
 
     Returns
     -------
@@ -56,4 +59,8 @@ def on_path(across: Array, up: Array, values: Array, levels: Sequence[float],
     points = np.stack([np.interp(steps, corners, part) for part in zip(*path, strict=True)], axis=1)
     along = RegularGridInterpolator((up, across), values)(points[:, ::-1])
     crossed = [np.flatnonzero(np.abs(np.diff(np.sign(along - level))) > 0) for level in levels]
-    return [(float(points[found[0], 0]), float(points[found[0], 1])) for found in crossed if found.size]
+    kept: list[int] = []
+    for first in (int(found[0]) for found in crossed if found.size):
+        if all(abs(first - other) >= apart * STEPS for other in kept):
+            kept.append(first)
+    return [(float(points[step, 0]), float(points[step, 1])) for step in kept]
