@@ -65,8 +65,8 @@ def sensitivity_as_text(result: Sensitivity) -> list[RenderableType]:
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("number")
+    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0))
+    table.add_column("number", overflow="fold")
     table.add_column("step", justify="right")
     for name in COMPONENTS:
         table.add_column(name, justify="right")
