@@ -25,6 +25,7 @@ class Format(StrEnum):
 def list_() -> None:
     """List the derivations with their source equations and operation counts."""
     from rich.console import Console
+    from rich.progress import track
     from rich.table import Table
 
     from derivations.catalogue import CATALOGUE
@@ -34,7 +35,7 @@ def list_() -> None:
     for heading, justify in (("name", "left"), ("title", "left"), ("equations", "left"), ("as derived", "right"),
                              ("emitted", "right")):
         table.add_column(heading, justify="right" if justify == "right" else "left", overflow="fold")
-    for build in CATALOGUE:
+    for build in track(CATALOGUE, "Deriving", console=Console(stderr=True), transient=True):
         derivation = build()
         emitted = sum(function.operations() for function in derivation.functions)
         table.add_row(derivation.name, derivation.title, ", ".join(derivation.sources) or "-",
