@@ -48,7 +48,7 @@ def _preview(node: Tag) -> str | None:
         return _of_section(node)
     if node.name == "span" and isinstance(node.parent, Tag) and node.parent.name == "section":
         return _of_section(node.parent)  # a label before a heading
-    if node.name == "figure" or "math" in kinds or "citation" in kinds:
+    if node.name == "figure" or not {"math", "citation", "literal-block-wrapper"}.isdisjoint(kinds):
         return _kept(node)
     if node.name == "table":
         return _kept(node, rows=ROWS)

@@ -34,6 +34,7 @@ TWINS = {
 
 DRAWINGS = {
     "fig-coordinates": "explains axes and angles",
+    "fig-effect-choice": "explains in which order questions are asked; the tables beside it have the numbers",
 }
 """Figures that show no numbers, and why."""
 

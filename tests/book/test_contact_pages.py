@@ -72,7 +72,7 @@ def test_every_column_is_described() -> None:
 def test_the_table_has_both_sums_and_their_distances() -> None:
     """Breaks when a prediction stands under another hypothesis than its sum."""
     head, *body = rows(contact_lists.stiffness_table())
-    assert head == ["MPa", "eq. (1)", "mean $k_n$", "forces", "eq. (5)", "mean $k_n$", "forces"]
+    assert head == ["MPa", "eq. (1)", "mean k_n", "forces", "eq. (5)", "mean k_n", "forces"]
     values = np.array([[number(cell) for cell in row[1:]] for row in body[:-1]])
     weights = np.array([1, 1, 1, 2, 2, 2, 4, 4, 4])  # each stands for so many of the 81 components
     for sums, columns in ((0, (1, 2)), (3, (4, 5))):

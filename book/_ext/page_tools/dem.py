@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from contextlib import chdir
 from functools import lru_cache
@@ -27,6 +26,7 @@ from granular.figures.page import Static
 from granular.routes.result import COMPONENTS
 from page_tools.commands import answer
 from page_tools.contact_lists import packing as packing_that_ships
+from page_tools.formats import at_most, ends, number, signed
 from page_tools.markup import Markup, boxed, table
 
 RECORD = Path("_data/dem.json")
@@ -50,26 +50,26 @@ def packings() -> tuple[ComparedPacking, ...]:
 
 def headline() -> Markup:
     """The result of the page in a box."""
-    press, shear = _ends(_bounds("C1111", "C3333")), _ends(_bounds("C2323", "C1212"))
-    bulk = _ends([bulk_modulus(packing, KINEMATIC) / bulk_modulus(packing, RELAXED) for packing in packings()])
+    press, shear = ends(_bounds("C1111", "C3333")), ends(_bounds("C2323", "C1212"))
+    bulk = ends([bulk_modulus(packing, KINEMATIC) / bulk_modulus(packing, RELAXED) for packing in packings()])
     back, miss = _shares(DIAGONAL, spheres=True), max(packing.affine_miss for packing in packings())
     return boxed("Against packings of known stiffness", Markup(
         f"- Eq. (1) summed over the contacts is the stiffness of a packing whose grains follow the mean strain: within "
-        f"{_at_most(100 * miss, 2)} % of $C_{{3333}}$ in each of 36 components.\n"
+        f"{at_most(100 * miss, 2)} % of $C_{{3333}}$ in each of 36 components.\n"
         f"- Real grains do not follow it. Eq. (1) is {press} times the relaxed stiffness in compression and {shear} "
         f"times in shear. The bulk modulus alone is close: {bulk} times.\n"
-        f"- The static sum, eq. (5), takes back {_ends(back, 100, '.0f')} % of that distance for spheres. It takes it "
+        f"- The static sum, eq. (5), takes back {ends(back, 100, '.0f')} % of that distance for spheres. It takes it "
         "from the scatter of the contact stiffness ([](contact_lists.md)), which the continuum model does not have: "
-        f"the static prediction of the model takes back {_ends(_model_shares(), 100, '.1f')} %.\n"
+        f"the static prediction of the model takes back {ends(_model_shares(), 100, '.1f')} %.\n"
         "- The model that knows fabric, branch length, void ratio, coordination and stress only is "
-        f"{_ends(_alone_over_sum(), 1, '.2f')} times eq. (1) for spheres.\n"))
+        f"{ends(_alone_over_sum(), 1, '.2f')} times eq. (1) for spheres.\n"))
 
 
 def packings_table() -> Markup:
     """What the packings are."""
     rows = [[packing.name, _kind(packing), str(packing.contacts), f"{packing.void_ratio:.3f}",
              f"{packing.coordination_number:.2f}", f"{packing.mean_stress / 1e3:.0f}", f"{packing.stress_ratio:.2f}",
-             f"{_signed(packing.D33)} ± {packing.D33_error:.3f}"] for packing in packings()]
+             f"{signed(packing.D33)} ± {packing.D33_error:.3f}"] for packing in packings()]
     return table(["packing", "grains", "$M$", "$e$", "$2M/N$", "$p$ [kPa]", "$\\sigma_{33}/\\sigma_{11}$", "$D_{33}$"],
                  rows, label="tab-dem-packings", align="llrrrrrr", take_away="dem_packings.csv",
                  caption="The packings. The error of $D_{33}$ is that of so many independent contacts.")
@@ -84,7 +84,7 @@ def affine_table() -> Markup:
     worst = max(packing.affine_miss for packing in packings())
     heads = ["$C_{3333}$, (1)", "probe", "$C_{2323}$, (1)", "probe", "difference", "$p/C_{3333}$"]
     return table(["packing", *heads], rows, label="tab-dem-affine", align="lrrrrrr", take_away="dem_affine.csv",
-                 caption=f"Eq. (1) and the affine probe agree within {_at_most(100 * worst, 3)} % of $C_{{3333}}$; "
+                 caption=f"Eq. (1) and the affine probe agree within {at_most(100 * worst, 3)} % of $C_{{3333}}$; "
                          f"{100 * AGREEMENT:g} % is allowed [MPa]. The difference is the largest of 36 components.")
 
 
@@ -95,7 +95,7 @@ def stiffness_table() -> Markup:
     rows = [[packing.name, f"$C_{{{component[1:]}}}$", *(_mpa(packing, way, component) for way in ways)]
             for packing in packings() for component in ("C3333", "C2323")]
     taken = [["packing", "way", *(f"{name} [MPa]" for name in COMPONENTS)]]
-    taken += [[packing.name, way, *(_number(six[name], ".3f", 1e-6).replace("–", "") for name in COMPONENTS)]
+    taken += [[packing.name, way, *(number(six[name], ".3f", 1e-6).replace("–", "") for name in COMPONENTS)]
               for packing in packings() for way, six in packing.stiffness.items()]
     return table(["packing", "MPa", *ways.values()], rows, label="tab-dem-stiffness", align="ll" + "r" * len(ways),
                  take_away="dem_stiffness.csv", taken=taken,
@@ -108,7 +108,7 @@ def stiffness_table() -> Markup:
 
 def bound_table() -> Markup:
     """How far eq. (1) lies above the relaxed stiffness."""
-    rows = [[packing.name, f"{packing.coordination_number:.2f}", *(_number(packing.bound[name]) for name in DIAGONAL)]
+    rows = [[packing.name, f"{packing.coordination_number:.2f}", *(number(packing.bound[name]) for name in DIAGONAL)]
             for packing in packings()]
     worst = max(packings(), key=lambda packing: packing.bound["C1212"] or 0.0)
     if worst.coordination_number != min(packing.coordination_number for packing in packings()):
@@ -116,13 +116,13 @@ def bound_table() -> Markup:
     return table(["packing", "$2M/N$", *_heads()], rows, label="tab-dem-bound", align="lrrrrr",
                  take_away="dem_bound.csv",
                  caption="Eq. (1) over the relaxed stiffness. The bound is worst where contacts are fewest: "
-                         f"{_number(worst.bound['C1212'])} times too stiff in shear in {worst.name}.")
+                         f"{number(worst.bound['C1212'])} times too stiff in shear in {worst.name}.")
 
 
 def recovered_table() -> Markup:
     """What eq. (5) takes back."""
     rows = [[packing.name, f"{packing.coordination_number:.2f}",
-             *(_number(packing.recovered[name], ".0f", 100, " %") for name in DIAGONAL)] for packing in packings()]
+             *(number(packing.recovered[name], ".0f", 100, " %") for name in DIAGONAL)] for packing in packings()]
     return table(["packing", "$2M/N$", *_heads()], rows, label="tab-dem-recovered", align="lrrrrr",
                  take_away="dem_recovered.csv",
                  caption="Share of the distance from eq. (1) to the relaxed stiffness that eq. (5) takes back: less "
@@ -131,7 +131,7 @@ def recovered_table() -> Markup:
 
 def off_diagonal() -> Markup:
     """What a bound of the energy does not bound."""
-    low = _ends(_bounds("C1122", "C1133"))
+    low = ends(_bounds("C1122", "C1133"))
     return Markup("A bound holds for the energy of every strain, so it holds for the diagonal components and for the "
                   f"bulk modulus, not for $C_{{1122}}$ and $C_{{1133}}$: there eq. (1) gives only {low} times the "
                   "relaxed value. A packing that relaxes gets softer in shear and keeps its resistance to a change of "
@@ -156,28 +156,28 @@ def recovered_words() -> Markup:
     below = [f"$C_{{{name[1:]}}}$ of {packing.name}" for packing in packings() for name in DIAGONAL
              if (packing.recovered[name] or 0.0) > 1]
     said = f" It is no lower bound: it falls below the relaxed stiffness in {', '.join(below)}." if below else ""
-    return Markup(f"For packings of spheres eq. (5) takes back {_ends(spheres, 100, '.0f')} % of the distance, least "
+    return Markup(f"For packings of spheres eq. (5) takes back {ends(spheres, 100, '.0f')} % of the distance, least "
                   "where contacts are few and the distance is largest, and it stays above the relaxed stiffness. For "
-                  f"clumps it takes back {_ends(clumps, 100, '.0f')} %.{said}\n")
+                  f"clumps it takes back {ends(clumps, 100, '.0f')} %.{said}\n")
 
 
 def model_static_words() -> Markup:
     """That the continuum model under the static hypothesis recovers next to nothing."""
     return Markup(f"The continuum model under the static hypothesis, with the mean stiffness of the list, lies only "
-                  f"{_ends(_model_drops(), 100, '.1f')} % below the same model under the kinematic one, for spheres. "
+                  f"{ends(_model_drops(), 100, '.1f')} % below the same model under the kinematic one, for spheres. "
                   "Its contacts of one direction are all alike; nothing is left to bring the two hypotheses apart but "
                   "the ratio of shear to normal stiffness.\n")
 
 
 def spins_table() -> Markup:
     """How much of the drop comes from spins alone."""
-    rows = [[packing.name, *(_number(_spin_share(packing, name), ".0f", 100, " %") for name in DIAGONAL)]
+    rows = [[packing.name, *(number(_spin_share(packing, name), ".0f", 100, " %") for name in DIAGONAL)]
             for packing in packings()]
     shares = [share for packing in packings() for name in DIAGONAL if (share := _spin_share(packing, name)) is not None]
     return table(["packing", *_heads()], rows, label="tab-dem-spins", align="lrrrr",
                  take_away="dem_spins.csv",
                  caption="Share of the way from the affine to the relaxed stiffness that is gone once grains may spin "
-                         f"while their centres still follow the strain: {_ends(shares, 100, '.0f')} %.")
+                         f"while their centres still follow the strain: {ends(shares, 100, '.0f')} %.")
 
 
 def model_table() -> Markup:
@@ -187,7 +187,7 @@ def model_table() -> Markup:
         for way, name in ((LIST, "mean $k_n$"), (SCENE, "alone")):
             for fabric in _fabrics(packing, way):
                 six = packing.stiffness[way + fabric]
-                rows.append([packing.name, name + fabric, *(_number(_over(six, packing.stiffness[KINEMATIC], component))
+                rows.append([packing.name, name + fabric, *(number(_over(six, packing.stiffness[KINEMATIC], component))
                                                             for component in DIAGONAL)])
     return table(["packing", "model", *_heads()], rows, label="tab-dem-model",
                  align="llrrrr", take_away="dem_model.csv",
@@ -199,9 +199,9 @@ def model_table() -> Markup:
 def model_words() -> Markup:
     """Why the model alone lies above its sum."""
     even, uneven = (_listed_over_sum(equal_stresses=equal) for equal in (True, False))
-    return Markup(f"With the mean contact stiffness of the list the model is {_ends(even)} times eq. (1) for spheres "
-                  f"under equal stresses, and {_ends(uneven)} times under unequal ones, where contacts near axis 3 are "
-                  f"stiffer than the mean. Left alone it is {_ends(_alone_over_sum())} times eq. (1), since it gives "
+    return Markup(f"With the mean contact stiffness of the list the model is {ends(even)} times eq. (1) for spheres "
+                  f"under equal stresses, and {ends(uneven)} times under unequal ones, where contacts near axis 3 are "
+                  f"stiffer than the mean. Left alone it is {ends(_alone_over_sum())} times eq. (1), since it gives "
                   "every contact of a direction the mean force there. Stiffness grows with the cube root of the force, "
                   "and the mean of cube roots is less than the cube root of the mean.\n")
 
@@ -209,8 +209,8 @@ def model_words() -> Markup:
 def size_words() -> Markup:
     """What gradation would add, of which these packings have none."""
     away = max(abs(packing.stiffer_where_longer - 1) for packing in packings() if packing.collinear)
-    return Markup(f"Here the ratio is {_ends([packing.length_ratio for packing in packings()], 1, '.3f')}, and for the "
-                  f"spheres, which are of one size, the factor is 1 within {_at_most(100 * away, 3)} %.\n")
+    return Markup(f"Here the ratio is {ends([packing.length_ratio for packing in packings()], 1, '.3f')}, and for the "
+                  f"spheres, which are of one size, the factor is 1 within {at_most(100 * away, 3)} %.\n")
 
 
 def clump_words() -> Markup:
@@ -221,8 +221,8 @@ def clump_words() -> Markup:
         ways = {"eq. (1)": KINEMATIC, "relaxed": RELAXED,
                 "normals": f"{LIST}, fabric of normals", "branches": f"{LIST}, fabric of branches"}
         found = {name: _ratio(packing.stiffness[way], "C1111", "C3333") for name, way in ways.items()}
-        return Markup(f"Branches of clumps do not follow the normals: $D_{{33}} = {_signed(packing.D33)}$ of the "
-                      f"normals and {_signed(packing.D33_of_branches)} of the branches. $C_{{1111}}/C_{{3333}}$ is "
+        return Markup(f"Branches of clumps do not follow the normals: $D_{{33}} = {signed(packing.D33)}$ of the "
+                      f"normals and {signed(packing.D33_of_branches)} of the branches. $C_{{1111}}/C_{{3333}}$ is "
                       f"{found['eq. (1)']:.3f} by eq. (1) and {found['relaxed']:.3f} relaxed. The model with the "
                       f"fabric of the normals says {found['normals']:.3f}, stiffer on the wrong axis; with the fabric "
                       f"of the branches it says {found['branches']:.3f}. [](shape.md) measures the same for "
@@ -233,13 +233,13 @@ def clump_words() -> Markup:
 def anisotropy_table() -> Markup:
     """Ratios of components, which survive better."""
     ways = {KINEMATIC: "(1)", SCENE: "model", RELAXED: "relaxed"}
-    rows = [[packing.name, *(_number(_ratio(packing.stiffness[way], *pair)) for pair in
+    rows = [[packing.name, *(number(_ratio(packing.stiffness[way], *pair)) for pair in
                              (("C1111", "C3333"), ("C2323", "C1212")) for way in ways)] for packing in packings()]
     return table(["packing", *(f"{ratio}, {name}" if first else name for ratio in
                                ("$C_{1111}/C_{3333}$", "$C_{2323}/C_{1212}$")
                                for name, first in zip(ways.values(), (True, False, False), strict=True))], rows,
                  label="tab-dem-ratios", align="lrrrrrr", take_away="dem_ratios.csv",
-                 caption=f"Anisotropy. Eq. (1) is within {_at_most(_ratio_miss(KINEMATIC), 1)} % of the relaxed "
+                 caption=f"Anisotropy. Eq. (1) is within {at_most(_ratio_miss(KINEMATIC), 1)} % of the relaxed "
                          "ratios, although each of the components is far from its own.")
 
 
@@ -381,21 +381,4 @@ def _ratio_miss(way: str) -> float:
 
 
 def _mpa(packing: ComparedPacking, way: str, name: str, form: str = ".1f") -> str:
-    return _number(_row(packing, way)[name], form, 1e-6)
-
-
-def _number(value: float | None, form: str = ".2f", factor: float = 1.0, after: str = "") -> str:
-    return "–" if value is None else format(value * factor, form).replace("-", "−") + after
-
-
-def _ends(values: Sequence[float], factor: float = 1.0, form: str = ".2f") -> str:
-    return f"{_number(min(values), form, factor)} to {_number(max(values), form, factor)}"
-
-
-def _at_most(value: float, digits: int) -> str:
-    """A number that nothing behind the word "within" exceeds: rounded upwards."""
-    return f"{math.ceil(value * 10**digits) / 10**digits:.{digits}f}"
-
-
-def _signed(value: float) -> str:
-    return f"{value:+.3f}".replace("-", "−")
+    return number(_row(packing, way)[name], form, 1e-6)

@@ -112,7 +112,7 @@ def bounds_numbers() -> Markup:
 
 def decision_figure() -> Static:
     """Draw the choice of effects for the worked example at the looser accuracy."""
-    return Static(effect_decision.effect_decision(Scene.from_toml(NEARLY), LOOSE))
+    return Static(effect_decision.effect_decision(Scene.from_toml(NEARLY), LOOSE), data=False)
 
 
 def share_spent() -> Markup:
