@@ -9,7 +9,7 @@ BIN := $(VENV)/bin
 CHROMIUM ?= chromium
 READY := $(VENV)/.ready
 
-.PHONY: help book html pdf test derive check lint types bench times clean
+.PHONY: help book html draft pdf test derive check lint types bench times clean
 
 help: ## show this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*## /\t/' | expand -t 10
@@ -42,6 +42,13 @@ html:
 	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
 	@$(BIN)/python book/_ext/compare_builds.py book/_build/html
 	@echo "The book is built. Open book/_build/html/index.html in a browser"
+
+draft: $(READY) ## bring built pages up to date in seconds after an edit; those to publish come from make book
+	@test -e book/_build/.without_warnings || rm -rf book/_build/.doctrees
+	@rm -f book/_build/.without_warnings
+	@$(BIN)/jupyter-book build book -n -W --keep-going -q
+	@touch book/_build/.without_warnings
+	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
 
 # The pages are brought up to date first; from what was computed before, unless something changed.
 pdf: $(READY) ## print the built book as one PDF; needs Chromium
