@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from granular.derivatives import PARAMETERS
 from granular.figures.cost_pareto import size
 from granular.figures.page import Interactive
 from granular.figures.speed import curves, effect_costs, scaling, scaling_interactive
-from granular.speed.comparisons import MET, catalogue
+from granular.routes.result import COMPONENTS
+from granular.speed.comparisons import LARGE, MET, catalogue
 from granular.speed.interleaved import Measured
 from granular.speed.peers.rock_physics import first_integral, misplaced_bracket
 from granular.speed.store import Row, Study, read
@@ -99,6 +101,23 @@ def met() -> Markup:
     names = ", ".join(f"`{name}`" for name in dict.fromkeys(missed))
     load = measured().machine.get("load", "–")
     return Markup(f"{first} Not met in {names}. The load of the machine was {load} when it began." if missed else first)
+
+
+def limits() -> Markup:
+    """Say what the arithmetic of kernels takes by itself, and what the slopes of equal contacts have to write."""
+    told = []
+    for name, kind in (("constant", "contacts of one stiffness"), ("kinetic", "contacts that follow their force")):
+        row = next(row for row in measured().of(name) if row.size == LARGE)
+        apart, fused = (size(way.ratio) for way in row.ways if "operations alone" in way.name)
+        told.append(f"{apart} for {kind} ({fused} fused)")
+    read, values, slopes = 2, len(COMPONENTS), len(COMPONENTS) * (1 + len(PARAMETERS))
+    least = (slopes + read) / (values + read)
+    return Markup(
+        "A kernel moves its arrays and does its arithmetic. The arithmetic alone, on numbers that never leave the "
+        f"cache, takes {' and '.join(told)} times as long as moving the arrays. A kernel that hid the shorter behind "
+        f"the longer would take the longer, and none takes less. Slopes of contacts of one stiffness are {slopes} "
+        f"numbers in place of {values}: where memory decides, they take ({slopes} + {read})/({values} + {read}) = "
+        f"{least:g} times as long as the values.")
 
 
 def peers() -> Markup:
