@@ -67,7 +67,7 @@ SLIPS = (
          "$G_s = 31$ Pa", "$G_s = 31$ GPa", "Every stiffness is too small by a factor of a million. Ratios stay."),
     Slip("isotropic", "Stiffness of the isotropic assemblies", "effect of gradation",
          "5465, 2665 and 134 MPa for the axial, the shear and the coupling stiffness at 28 kPa",
-         "about a tenth of that", "Whoever takes the printed values for a soil has it ten times too stiff. Ratios "
+         "about a tenth of that", "The printed values are ten times as stiff as the model has it. Ratios "
          "stay."),
     Slip("uniformity", "Independence of uniformity", "effect of gradation, curves 4 to 6",
          "the stiffness is independent of the uniformity of the assembly",

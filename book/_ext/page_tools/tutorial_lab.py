@@ -235,7 +235,8 @@ def report() -> Markup:
                   if one.state == 1 and one.kind.name == "Vs_hh")
     level = density * across.value**2
     return boxed("What to report", Markup(
-        f"- **Measured** at $e = {VOID_RATIO}$ under {middle / 1e3:.0f} kPa: $C_{{3333}} = {press[0] / 1e6:.0f} \\pm "
+        f"- **Measured** (on an invented specimen) at $e = {VOID_RATIO}$ under {middle / 1e3:.0f} kPa: $C_{{3333}} = "
+        f"{press[0] / 1e6:.0f} \\pm "
         f"{press[1] / 1e6:.0f}$, $C_{{2323}} = {shear[0] / 1e6:.0f} \\pm {shear[1] / 1e6:.0f}$, $C_{{1212}} = "
         f"{level / 1e6:.0f} \\pm {2 * level * across.uncertainty / across.value / 1e6:.0f}$ MPa.\n"
         f"- **Fabric** by the model of Pan and Dong (1999), kinematic hypothesis, sizes left out, one factor of "
