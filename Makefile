@@ -36,7 +36,7 @@ book: check html ## set up, derive, check and build the book
 # Pages that were read without a warning are not read again; after a build that failed all are, so that it says so again.
 html:
 	@test -e book/_build/.without_warnings || rm -rf book/_build/.doctrees
-	@rm -rf book/_build/html book/_build/.without_warnings
+	@rm -rf book/_build/html book/_build/granular.pdf book/_build/.without_warnings
 	@$(BIN)/jupyter-book build book -n -W --keep-going -q
 	@touch book/_build/.without_warnings
 	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
@@ -45,7 +45,7 @@ html:
 
 draft: $(READY) ## bring built pages up to date in seconds after an edit; those to publish come from make book
 	@test -e book/_build/.without_warnings || rm -rf book/_build/.doctrees
-	@rm -f book/_build/.without_warnings
+	@rm -f book/_build/granular.pdf book/_build/.without_warnings
 	@$(BIN)/jupyter-book build book -n -W --keep-going -q
 	@touch book/_build/.without_warnings
 	@$(BIN)/python book/_ext/inspect_book.py book/_build/html
