@@ -174,16 +174,6 @@ def test_missing_chromium_is_said(book: Path) -> None:
     assert "apt install chromium" in outcome.stderr
 
 
-@pytest.mark.book
-def test_the_printed_book(book: Path, built: Path) -> None:
-    """Breaks when the book was printed and something is wrong with the file, or it is another book's."""
-    pdf = book / "_build" / "granular.pdf"
-    if not pdf.exists():
-        pytest.skip("the book is not printed; run `make pdf` first")
-    headings = assemble(built, title="", author="", version="").headings
-    assert list(problems(PdfReader(pdf), headings)) == []
-
-
 def test_finishing_keeps_every_page() -> None:
     """Breaks when the lists of contents are not as many pages as they were."""
     reader = printed()

@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 
 from granular import axial_stiffness
 from granular.fabric_tensors import fabric_of
-from granular.figures import book_anisotropy as drawn
+from granular.figures import anisotropy_maps
+from granular.figures import isotropic_lines as lines
+from granular.figures.anisotropy_interactive import anisotropy_interactive
 from granular.figures.anisotropy_maps import FRICTION, POISSON_RATIO, Place
-from granular.figures.page import Static
-from granular.figures.ternary import Fabric3, anisotropy_of
+from granular.figures.page import Interactive, Static
+from granular.figures.ternary import Fabric3, anisotropy_of, fabric_triangle
 from granular.measures import measure
 from page_tools.dem import packings
 from page_tools.fabric_tensors import drawn_directions
@@ -58,23 +60,24 @@ def places() -> tuple[Place, ...]:
 
 def constant_maps() -> Static:
     """Six measures for contacts of one stiffness."""
-    return drawn.constant_maps(places())
+    return Static(anisotropy_maps.constant_maps(places()))
 
 
 def stress_maps() -> Static:
     """Both ratios under three stress ratios."""
-    return drawn.stress_maps(places())
+    return Static(anisotropy_maps.stress_maps(places()))
 
 
 def isotropic_lines() -> Static:
     """Where both ratios are one."""
-    return drawn.isotropic_lines()
+    return Static(lines.isotropic_lines())
 
 
 def map_to_read() -> Described:
     """The map with values under the pointer."""
-    return Described(drawn.anisotropy_interactive(places()), "Map of anisotropy over D33 and Dr33. Buttons choose the "
-                     "measure, the slider chooses the stress ratio, the pointer reads all five measures.")
+    figure = Interactive(anisotropy_interactive(places()), "anisotropy")
+    return Described(figure, "Map of anisotropy over D33 and Dr33. Buttons choose the measure, "
+                     "the slider chooses the stress ratio, the pointer reads all five measures.")
 
 
 def triangle() -> Static:
@@ -82,8 +85,8 @@ def triangle() -> Static:
     axial = [("Tables II and IV", D33, "o") for D33 in TABLE_IV]
     axial += [("DEM packings", packing.D33, "^") for packing in packings()]
     axial += [("deposited sand", SAND[0], "s")]
-    return drawn.fabric_triangle([*(Fabric3(text, (-D33 / 2, -D33 / 2, D33), marker) for text, D33, marker in axial),
-                                  Fabric3("drawn list", _drawn_list(), "D")])
+    return Static(fabric_triangle([*(Fabric3(text, (-D33 / 2, -D33 / 2, D33), marker) for text, D33, marker in axial),
+                                   Fabric3("drawn list", _drawn_list(), "D")]))
 
 
 def headline() -> Markup:
