@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 
-from granular.figures import book_model, files
+from granular.figures import files
 from granular.figures.along_stress import along_stress
 from granular.figures.approach_to_limits import LIMITS, approach_to_limits, distances
 from granular.figures.look import BLUE, COMPONENT_COLOURS, GREEN, INK, VERMILION
@@ -43,13 +43,6 @@ def drawn(request):
 
 def curves(axes, colour):
     return [line for line in axes.lines if to_hex(line.get_color()) == colour and len(line.get_xdata()) > 2]
-
-
-@pytest.mark.parametrize("name", ["ratios_by_fabric", "along_stress", "share_of_friction", "approach_to_limits",
-                                  "pulled_along"])
-def test_pages_can_show_them(name):
-    # a thin function that calls another figure, or none
-    assert getattr(book_model, name)()._repr_svg_().startswith("<?xml")
 
 
 def test_isotropic_fabric_has_ratio_one():
