@@ -1,7 +1,8 @@
 """Constant contact stiffness as it is evaluated for very many fabrics: the closed form with one division.
 
-The density has rank two, so that E W^2 is a form of degree three in s and y and its moments have small integer weights
-over a common denominator.
+The density has rank two, so that E W^2 is a form of degree three in s and y. The density is averaged first: its
+integrals are linear in D33 and have their zero outside the domain. The squares of the branch length come after it, and
+what is common to all components is in the constants, so that no operation is left that only scales.
 """
 
 from __future__ import annotations
@@ -12,21 +13,34 @@ import sympy as sp
 
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.sphere import axial_moment
-from derivations.symbols import D33, POSITIVE_MOMENTS, STIFFNESS, Dr33, e0, e1, latex, nu, w0, w1
+from derivations.symbols import D33, POSITIVE_MOMENTS, STIFFNESS, Dr33, lam, latex, nu, one_minus_lam, w0
 
-WEIGHTS = sp.symbols("omega0:4", nonnegative=True)
-"""Coefficients of 8 E W^2 as a form of degree three."""
+Assignments = tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+DENSITY = sp.symbols("density0:5", nonnegative=True)
+"""Integrals of s^(4-j) y^j times the density, up to a factor."""
+
+SHIFTED = sp.symbols("shifted0:5", real=True)
+"""The same up to a number each: D33 less the place of their zero."""
+
+ZEROS = sp.symbols("zero0:5", real=True)
+RATES = sp.symbols("rate0:5", real=True)
+"""These places and numbers."""
+
+SQUARES = sp.symbols("square0:3", nonnegative=True)
+"""Coefficients of 4 W^2 in s^2, s y, y^2."""
 
 SUMS = sp.symbols("sum0:3", nonnegative=True)
+"""Moments of E W^2 over 8: what the components are made of."""
 
-mixed, mixed_too, factor, share, complement = sp.symbols("mixed mixed_too factor share complement", nonnegative=True)
-shear0, shear1, both = sp.symbols("shear0 shear1 both", nonnegative=True)
+half_w1, twice_w1 = sp.symbols("half_w1 twice_w1", nonnegative=True)
+four_r1, both, later, along = sp.symbols("four_r1 both later along", nonnegative=True)
 
 DENOMINATOR = sp.ilcm(*(axial_moment(5 - m, m).q for m in range(6)))
 """Common denominator of the integrals of s^(5-m) y^m."""
 
 SCALE = 8 * 8 * DENOMINATOR
-"""What the sums carry beside the components: 8 of E W^2, 8 of the components, and the denominator."""
+"""What integrals of 2 E and 4 W^2 carry beside the sums: 8 of E W^2, 8 of the components, and the denominator."""
 
 
 def domain() -> tuple[sp.Rel, ...]:
@@ -41,45 +55,70 @@ def integer_moment(m: int) -> sp.Integer:
     return sp.Integer(axial_moment(5 - m, m) * DENOMINATOR)
 
 
-def weight_assignments() -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    """From the fabric to the coefficients of 8 E W^2: no subtraction but those that are exact."""
-    return (
-        (e0, 2 - D33), (e1, 2 + 2 * D33), (w0, 2 - Dr33), (w1, 2 + 2 * Dr33),
-        (mixed, e0 * w1), (mixed_too, e1 * w0),
-        (WEIGHTS[0], e0 * w0 * w0), (WEIGHTS[1], w0 * sp.Add(2 * mixed, mixed_too)),
-        (WEIGHTS[2], w1 * sp.Add(mixed, 2 * mixed_too)), (WEIGHTS[3], e1 * w1 * w1),
-    )
+def density_assignments() -> Assignments:
+    """Integrals of the density: a number times D33 less the zero, which lies outside the domain."""
+    averages = [sp.expand((2 - D33) * integer_moment(j) + (2 + 2 * D33) * integer_moment(j + 1)) for j in range(5)]
+    rates = [average.coeff(D33) for average in averages]
+    zeros = [-average.coeff(D33, 0) / rate for average, rate in zip(averages, rates, strict=True)]
+    return (*zip(ZEROS, zeros, strict=True), *((one, rate / SCALE) for one, rate in zip(RATES, rates, strict=True)),
+            *((one, D33 - zero) for one, zero in zip(SHIFTED, ZEROS, strict=True)),
+            *((one, rate * shifted) for one, rate, shifted in zip(DENSITY, RATES, SHIFTED, strict=True)))
 
 
-def component_assignments() -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    """From the three sums to the components, times 8 (2 - nu)."""
+def square_assignments(level: sp.Expr = sp.Integer(1)) -> Assignments:
+    """From the branch lengths to the coefficients of 4 W^2, times a level."""
+    at_equator, at_pole = (sp.symbols("level_w0 level_half_w1") if level.is_Symbol else (w0, half_w1))
+    scaled = ((at_equator, level * w0), (at_pole, level * half_w1)) if level.is_Symbol else ()
+    return ((w0, 2 - Dr33), (half_w1, 1 + Dr33), (twice_w1, 4 * half_w1), *scaled,
+            (SQUARES[0], at_equator * w0), (SQUARES[1], at_equator * twice_w1), (SQUARES[2], at_pole * twice_w1))
+
+
+def sum_assignments(sums: tuple[sp.Symbol, ...], density: tuple[sp.Symbol, ...]) -> Assignments:
+    """Sums of integrals of the density, weighted by the squares of the branch length."""
+    return tuple((total, sum((density[j + k] * square for j, square in enumerate(SQUARES)), sp.Integer(0)))
+                 for k, total in enumerate(sums))
+
+
+def ratio_assignments() -> Assignments:
+    """Tangential over normal stiffness and what is left to one, of which the second keeps its digits near nu = 0."""
+    return (one_minus_lam, nu / (2 - nu)), (lam, 1 - one_minus_lam)
+
+
+def component_assignments() -> Assignments:
+    """From the three sums to the components."""
     r0, r1, r2 = SUMS
     c1111, c3333, c1122, c1133, c2323, c1212 = STIFFNESS
     return (
-        (shear0, nu * r0), (shear1, 4 * sp.Mul(nu, r1, evaluate=False)), (both, r0 + r1),
-        (c1111, factor * sp.Add(3 * complement * r0, share * sp.Add(r0, 4 * r1))),
-        (c3333, factor * 8 * sp.Add(complement * r2, share * r1)),
-        (c1122, factor * shear0), (c1133, factor * shear1),
-        (c2323, factor * sp.Add(shear1, share * sp.Add(both, 2 * sp.Add(r1, r2)))),
-        (c1212, factor * sp.Add(shear0, 2 * share * both)),
+        (four_r1, 4 * r1), (both, r0 + r1), (later, r1 + r2), (along, r2 + lam * r1),
+        (c1111, 3 * r0 + lam * sp.Add(r0, four_r1)),
+        (c3333, 8 * along), (c1122, one_minus_lam * r0),
+        (c1133, one_minus_lam * four_r1),
+        (c2323, c1133 + lam * sp.Add(both, 2 * later)),
+        (c1212, c1122 + 2 * lam * both),
     )
 
 
 def constant_function() -> Function:
     """Emit the six components of one fabric."""
-    weighted = tuple((total, sum((integer_moment(j + k) * o for j, o in enumerate(WEIGHTS)), sp.Integer(0)))
-                     for k, total in enumerate(SUMS))
     return Function(
         "kinematic_constant", "Six components over (M/V) l_e^2 k_n for contacts that are all equally stiff.",
         (D33, Dr33, nu),
-        (*weight_assignments(), *weighted, (complement, 2 - nu), (share, 2 - 2 * nu),
-         (factor, 1 / (SCALE * complement)), *component_assignments()), STIFFNESS, unit="-")
+        (*density_assignments(), *square_assignments(), *sum_assignments(SUMS, DENSITY), *ratio_assignments(),
+         *component_assignments()), STIFFNESS, unit="-")
 
 
 @cache
 def batch() -> tuple[BatchFunction, ...]:
     """What is emitted for batches."""
-    return (BatchFunction(constant_function(), domain(), factor),)
+    return (BatchFunction(constant_function(), domain(), one_minus_lam),)
+
+
+def substituted(assignments: Assignments) -> dict[sp.Symbol, sp.Expr]:
+    """Every assigned symbol in the arguments alone."""
+    known: dict[sp.Symbol, sp.Expr] = {}
+    for symbol, expression in assignments:
+        known[symbol] = expression.xreplace(known)
+    return known
 
 
 def steps(closed: dict[sp.Symbol, sp.Expr], components: tuple[sp.Expr, ...]) -> tuple[Step, ...]:
@@ -87,23 +126,22 @@ def steps(closed: dict[sp.Symbol, sp.Expr], components: tuple[sp.Expr, ...]) -> 
 
     ``closed`` gives the positive moments in the fabric, ``components`` the components in moments and nu.
     """
-    known: dict[sp.Symbol, sp.Expr] = {}
-    for symbol, expression in weight_assignments():
-        known[symbol] = expression.xreplace(known)
-    sums = [sum((integer_moment(j + k) * known[o] for j, o in enumerate(WEIGHTS)), sp.Integer(0)) for k in range(3)]
-    to_sums = {p: r / (8 * DENOMINATOR) for p, r in zip(POSITIVE_MOMENTS, SUMS, strict=True)}
-    found: dict[sp.Symbol, sp.Expr] = {complement: 2 - nu, share: 2 - 2 * nu, factor: 1 / (SCALE * (2 - nu))}
-    for symbol, expression in component_assignments():
-        found[symbol] = expression.xreplace(found)
-    first = sum((integer_moment(j) * o for j, o in enumerate(WEIGHTS)), sp.Integer(0))
+    known = substituted((*density_assignments(), *square_assignments(), *sum_assignments(SUMS, DENSITY)))
+    to_sums = {p: 8 * r for p, r in zip(POSITIVE_MOMENTS, SUMS, strict=True)}
+    found = substituted((*ratio_assignments(), *component_assignments()))
+    zeros = [known[zero] for zero in ZEROS]
+    outside = sp.Union(sp.Interval.open(-sp.oo, -1), sp.Interval.open(2, sp.oo))
     return (
         Step("For very many fabrics at once",
-             "Without the coefficient of rank four the moments have integer weights over one denominator, and "
-             r"$\lambda$, $\bar\lambda$ share the divisor $2 - \nu$: one division is left. Every sum has terms of one "
-             "sign.",
-             (rf"8\cdot{DENOMINATOR}\,{latex(POSITIVE_MOMENTS[0])} = {latex(first)}",),
-             (*(Claim(sp.expand(total), sp.expand(8 * DENOMINATOR * closed[p]))
-                for total, p in zip(sums, POSITIVE_MOMENTS, strict=True)),
+             "Without the coefficient of rank four the density is averaged first: its integrals are linear in "
+             rf"$D_{{33}}$ with the zeros ${', '.join(latex(zero) for zero in zeros)}$, outside $-1 \le D_{{33}} \le 2$, "
+             "so that no digit is lost. The squares of the branch length weight them; one division is left, that in "
+             r"$\bar\lambda$.",
+             (rf"{latex(POSITIVE_MOMENTS[0])} = 2\left[(2-D^r_{{33}})^2 d_0 + 4(2-D^r_{{33}})(1+D^r_{{33}})\,d_1 + "
+              r"4(1+D^r_{33})^2 d_2\right],\qquad d_j = \frac{1}{8}\int_0^1 s^{4-j}x^{2j}E\,\mathrm{d}x",),
+             (*(Claim(sp.expand(8 * known[total]), sp.expand(closed[p]))
+                for total, p in zip(SUMS, POSITIVE_MOMENTS, strict=True)),
+              *(Claim(sp.FiniteSet(zero).intersect(outside), sp.FiniteSet(zero)) for zero in zeros),
               *(Claim(sp.cancel(found[symbol] - expression.xreplace(to_sums)), sp.Integer(0))
                 for symbol, expression in zip(STIFFNESS, components, strict=True)))),
     )

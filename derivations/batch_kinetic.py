@@ -15,21 +15,20 @@ import sympy as sp
 
 from derivations.batch_constant import (
     DENOMINATOR,
+    DENSITY,
     SCALE,
     SUMS,
-    WEIGHTS,
-    complement,
+    Assignments,
     component_assignments,
     domain,
-    factor,
-    share,
-    weight_assignments,
+    square_assignments,
+    sum_assignments,
 )
 from derivations.economised import economise, rationals
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.series import TruncatedSeries
 from derivations.sphere import axial_mean, axial_moment
-from derivations.symbols import D33, SR, STIFFNESS, Dr33, a, c, latex, nu, s, v, y
+from derivations.symbols import D33, SR, STIFFNESS, Dr33, a, c, e0, e1, lam, latex, nu, one_minus_lam, s, v, y
 
 THIRD = sp.Rational(1, 3)
 
@@ -61,7 +60,8 @@ FORCE_INTEGRALS = sp.symbols("f0:6", positive=True)
 """DENOMINATOR times the integrals of s^(5-m) y^m ((1-v)^3 s + (1+v)^3 y)^(1/3)."""
 
 third, pole_part, equator_part, forces = sp.symbols("third pole_part equator_part forces", positive=True)
-root_a, root_c, roots, scaled, reciprocal = sp.symbols("root_a root_c roots scaled reciprocal", positive=True)
+root_a, root_c, roots, complement, reciprocal = sp.symbols("root_a root_c roots complement reciprocal", positive=True)
+over_complement, over_roots, unit, level = sp.symbols("over_complement over_roots unit level", positive=True)
 
 
 @cache
@@ -118,7 +118,7 @@ def root_series() -> tuple[TruncatedSeries, TruncatedSeries]:
             TruncatedSeries("BINOMIAL", binomial, START_ERROR, abs(beyond), "r"))
 
 
-def root_assignments(of: sp.Symbol, root: sp.Symbol) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+def root_assignments(of: sp.Symbol, root: sp.Symbol) -> Assignments:
     """Cube root of a number in ``ROOT_RANGE``, exact at 1; every name ends with the letter of the number."""
     polynomial = sp.Function("polynomial")
     less, start, squared, rest, gain, inverse, square, near = sp.symbols(
@@ -134,35 +134,49 @@ def root_assignments(of: sp.Symbol, root: sp.Symbol) -> tuple[tuple[sp.Symbol, s
     )
 
 
+def density_assignments(integrals: tuple[sp.Symbol, ...], density: tuple[sp.Symbol, ...]) -> Assignments:
+    """Integrals of 2 E from integrals without it, which have one power of s or y less."""
+    return ((e0, 2 - D33), (e1, 2 + 2 * D33),
+            *((one, e0 * integrals[j] + e1 * integrals[j + 1]) for j, one in enumerate(density)))
+
+
+def sums_of_forces() -> Assignments:
+    """From the assembly to the sums of the normal stiffness, and to the ratio of the stiffnesses on the way."""
+    polynomial = sp.Function("polynomial")
+    return (
+        (third, THIRD), (unit, sp.Rational(1, 2 * SCALE)), (equator_part, 5 + 2 * D33), (pole_part, SR * sp.Add(5, -D33)),
+        (forces, 15 / (sp.Add(2, SR) * sp.Add(5, -D33) * equator_part)),
+        (a, forces * equator_part), (c, forces * pole_part),
+        *(one for pair in zip(root_assignments(a, root_a), root_assignments(c, root_c), strict=True) for one in pair),
+        (complement, 2 - nu), (roots, root_a + root_c), (reciprocal, 1 / (roots * complement)),
+        (over_roots, complement * reciprocal), (over_complement, roots * reciprocal),
+        (one_minus_lam, nu * over_complement), (lam, 1 - one_minus_lam), (level, unit * roots),
+        (v, (root_c - root_a) * over_roots),
+        *((f, polynomial(sp.Symbol(series(m).name), v)) for m, f in enumerate(FORCE_INTEGRALS)),
+        *density_assignments(FORCE_INTEGRALS, DENSITY), *square_assignments(level), *sum_assignments(SUMS, DENSITY),
+    )
+
+
 def kinetic_function() -> Function:
     """Emit the six components of one assembly."""
-    polynomial = sp.Function("polynomial")
-    weighted = tuple((total, sum((FORCE_INTEGRALS[j + k] * o for j, o in enumerate(WEIGHTS)), sp.Integer(0)))
-                     for k, total in enumerate(SUMS))
-    tables = tuple(series(m) for m in range(6))
     return Function(
         "kinematic_kinetic",
         "Six components over (M/V) l_e^2 k_n,ref when the stiffness of a contact follows its force, without slip.",
-        (D33, Dr33, SR, nu),
-        ((third, THIRD), (equator_part, 5 + 2 * D33), (pole_part, SR * sp.Add(5, -D33)),
-         (forces, 15 / (sp.Add(2, SR) * sp.Add(5, -D33) * equator_part)),
-         (a, forces * equator_part), (c, forces * pole_part),
-         *(one for pair in zip(root_assignments(a, root_a), root_assignments(c, root_c), strict=True) for one in pair),
-         (complement, 2 - nu), (share, 2 - 2 * nu),
-         (roots, root_a + root_c), (scaled, SCALE * complement), (reciprocal, 1 / (roots * scaled)),
-         (factor, roots * roots * reciprocal / 2), (v, (root_c - root_a) * scaled * reciprocal),
-         *((f, polynomial(sp.Symbol(table.name), v)) for f, table in zip(FORCE_INTEGRALS, tables, strict=True)),
-         *weight_assignments(), *weighted, *component_assignments()),
-        STIFFNESS, unit="-", series=(*root_series(), *tables),
+        (D33, Dr33, SR, nu), (*sums_of_forces(), *component_assignments()), STIFFNESS, unit="-",
+        series=(*root_series(), *(series(m) for m in range(6))),
         notes="Served for 1/9 <= c/a <= 6 with a and c the normal forces at equator and pole.")
+
+
+def served() -> tuple[sp.Rel, ...]:
+    """Where the polynomials serve."""
+    least, most = RATIOS
+    return (*domain(), sp.Le(equator_part, 1 / least * pole_part), sp.Le(pole_part, most * equator_part))
 
 
 @cache
 def batch() -> tuple[BatchFunction, ...]:
     """What is emitted for batches."""
-    least, most = RATIOS
-    within = (sp.Le(equator_part, 1 / least * pole_part), sp.Le(pole_part, most * equator_part))
-    return (BatchFunction(kinetic_function(), (*domain(), *within), factor, (c, root_c, v, FORCE_INTEGRALS[-1])),)
+    return (BatchFunction(kinetic_function(), served(), level, (c, root_c, v, FORCE_INTEGRALS[-1])),)
 
 
 def _crossings(bound: sp.Rational) -> int:

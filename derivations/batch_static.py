@@ -13,7 +13,7 @@ from functools import cache
 
 import sympy as sp
 
-from derivations.batch_constant import complement, domain, share
+from derivations.batch_constant import domain
 from derivations.economised import economise, rationals
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.series import TruncatedSeries, power_of_one_plus, product
@@ -44,6 +44,7 @@ spread, inverse_spread, inverse_ratio, mean_length = sp.symbols(
 lower, upper = sp.symbols("fifteen_N11 fifteen_N33", positive=True)
 bulk, shear, vertical, sums = sp.symbols("bulk shear vertical sums", positive=True)
 mixed, over_bulk, over_shear, gate = sp.symbols("mixed over_bulk over_shear gate", nonnegative=True)
+complement, share = sp.symbols("complement share", positive=True)
 
 
 @cache

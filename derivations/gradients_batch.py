@@ -15,26 +15,28 @@ import sympy as sp
 
 from derivations.batch_constant import (
     DENOMINATOR,
+    DENSITY,
     SCALE,
     SUMS,
-    WEIGHTS,
-    complement,
     component_assignments,
+    density_assignments,
     domain,
-    factor,
-    integer_moment,
-    share,
-    weight_assignments,
+    ratio_assignments,
+    square_assignments,
+    sum_assignments,
 )
 from derivations.batch_kinetic import (
     HIGH,
     LOW,
     PRECISION,
-    RATIOS,
+    complement,
     contrast_moment,
     equator_part,
     force_series,
     forces,
+    level,
+    over_complement,
+    over_roots,
     pole_part,
     reciprocal,
     root_a,
@@ -42,16 +44,18 @@ from derivations.batch_kinetic import (
     root_c,
     root_series,
     roots,
-    scaled,
+    served,
     third,
+    unit,
 )
+from derivations.batch_kinetic import density_assignments as density_of_integrals
 from derivations.economised import economise, rationals
 from derivations.forward import Assignments, Partials, slope_symbol, with_slopes
 from derivations.gradients_kinematic import FORCE_MOMENTS, WEIGHTED
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.series import TruncatedSeries
 from derivations.sphere import axial_mean
-from derivations.symbols import D33, SR, STIFFNESS, Dr33, a, c, mu, nu, s, v, y
+from derivations.symbols import D33, SR, STIFFNESS, Dr33, a, c, lam, mu, nu, one_minus_lam, s, v, y
 
 POWER = Fraction(-2, 3)
 DEGREE = 6
@@ -62,7 +66,10 @@ PARAMETERS = (D33, Dr33, SR, mu, nu)
 INTEGRALS = sp.symbols("g0:7", positive=True)
 """DENOMINATOR times the integrals of s^(6-m) y^m ((1-v)^3 s + (1+v)^3 y)^(-2/3)."""
 
-fifteenth, level, over_pole, both_roots = sp.symbols("fifteenth level over_pole over_roots", positive=True)
+DENSITY_OF_FORCES = (*DENSITY, sp.Symbol("density5", nonnegative=True))
+"""Integrals of 2 E with the power -2/3 of the force: one more than without forces."""
+
+fifteenth, over_pole = sp.symbols("fifteenth over_pole", positive=True)
 
 
 def taylor(m: int) -> tuple[Fraction, ...]:
@@ -82,19 +89,10 @@ def series(m: int) -> TruncatedSeries:
                            sp.Rational(left_out.numerator, left_out.denominator), v.name)
 
 
-FACTOR_PARTIALS = {factor: {nu: SCALE * factor**2}}
-"""The factor is one over SCALE (2 - nu)."""
-
-
-BY_NU = {(complement, nu): -sp.Integer(1), (share, nu): -sp.Integer(2), (factor, nu): SCALE * factor**2}
-"""Slopes of what Poisson's ratio goes through, where it has been assigned before."""
-
-
-def _closing(assignments: Assignments, arguments: tuple[sp.Symbol, ...], partials: Mapping[sp.Symbol, Partials],
-             slopes: Mapping[tuple[sp.Symbol, sp.Symbol], sp.Expr] | None = None
-             ) -> tuple[Assignments, tuple[sp.Symbol, ...]]:
+def _closing(assignments: Assignments, arguments: tuple[sp.Symbol, ...],
+             partials: Mapping[sp.Symbol, Partials]) -> tuple[Assignments, tuple[sp.Symbol, ...]]:
     """Carry the slopes along; those by what is no argument are zero."""
-    carried = with_slopes(assignments, arguments, partials=partials, slopes=slopes)
+    carried = with_slopes(assignments, arguments, partials=partials)
     zeros = tuple((slope_symbol(component, variable), sp.Integer(0)) for variable in PARAMETERS
                   if variable not in arguments for component in STIFFNESS)
     returns = (*STIFFNESS, *(slope_symbol(component, variable) for variable in PARAMETERS for component in STIFFNESS))
@@ -103,11 +101,9 @@ def _closing(assignments: Assignments, arguments: tuple[sp.Symbol, ...], partial
 
 def constant_function() -> Function:
     """Emit components and slopes of one fabric whose contacts are all equally stiff."""
-    weighted = tuple((total, sum((integer_moment(j + k) * o for j, o in enumerate(WEIGHTS)), sp.Integer(0)))
-                     for k, total in enumerate(SUMS))
     assignments, returns = _closing(
-        (*weight_assignments(), *weighted, (complement, 2 - nu), (share, 2 - 2 * nu),
-         (factor, 1 / (SCALE * complement)), *component_assignments()), (D33, Dr33, nu), FACTOR_PARTIALS)
+        (*density_assignments(), *square_assignments(), *sum_assignments(SUMS, DENSITY), *ratio_assignments(),
+         *component_assignments()), (D33, Dr33, nu), {one_minus_lam: {nu: (1 + one_minus_lam) ** 2 / 2}})
     return Function(
         "constant_rows", "Six components over (M/V) l_e^2 k_n and their slopes, for contacts that are equally stiff.",
         (D33, Dr33, nu), assignments, returns, unit="-",
@@ -120,20 +116,20 @@ def kinetic_function() -> Function:
     roots_of = (one for pair in zip(root_assignments(a, root_a), root_assignments(c, root_c), strict=True)
                 for one in pair)
     before = (
-        (third, sp.Rational(1, 3)), (fifteenth, sp.Rational(1, 15)),
+        (third, sp.Rational(1, 3)), (fifteenth, sp.Rational(1, 15)), (unit, sp.Rational(4, SCALE)),
         (equator_part, 5 + 2 * D33), (pole_part, SR * sp.Add(5, -D33)),
         (forces, 15 / (sp.Add(2, SR) * sp.Add(5, -D33) * equator_part)),
         (a, forces * equator_part), (c, forces * pole_part), *roots_of,
-        (complement, 2 - nu), (share, 2 - 2 * nu), (roots, root_a + root_c), (scaled, SCALE * complement),
-        (reciprocal, 1 / (roots * scaled)), (factor, roots * reciprocal), (both_roots, scaled * reciprocal),
-        (v, (root_c - root_a) * both_roots), (level, 4 * both_roots * both_roots),
+        (complement, 2 - nu), (roots, root_a + root_c), (reciprocal, 1 / (roots * complement)),
+        (over_roots, complement * reciprocal), (over_complement, roots * reciprocal),
+        (level, unit * over_roots * over_roots), (v, (root_c - root_a) * over_roots),
         *((g, polynomial(sp.Symbol(series(m).name), v)) for m, g in enumerate(INTEGRALS)),
         *((L, level * g) for L, g in zip(FORCE_MOMENTS, INTEGRALS, strict=True)), (over_pole, forces * sp.Add(5, -D33)))
-    weighted = tuple((S, sum((o * FORCE_MOMENTS[j + k] for j, o in enumerate(WEIGHTS)), sp.Integer(0)))
-                     for k, S in enumerate(WEIGHTED))
     moments = tuple((total, a * WEIGHTED[k] + c * WEIGHTED[k + 1]) for k, total in enumerate(SUMS))
-    carried, returns = _closing((*weight_assignments(), *weighted, *moments, *component_assignments()),
-                                (D33, Dr33, SR, nu), _partials(), BY_NU)
+    carried, returns = _closing(
+        (*density_of_integrals(FORCE_MOMENTS, DENSITY_OF_FORCES), *square_assignments(),
+         *sum_assignments(WEIGHTED, DENSITY_OF_FORCES), *moments, (one_minus_lam, nu * over_complement),
+         (lam, 1 - one_minus_lam), *component_assignments()), (D33, Dr33, SR, nu), _partials())
     slopes_of_forces = tuple((slope_symbol(force, variable), value) for force, by in _force_slopes().items()
                              for variable, value in by.items())
     return Function(
@@ -154,9 +150,7 @@ def _force_slopes() -> dict[sp.Symbol, Partials]:
 
 def _partials() -> dict[sp.Symbol, Partials]:
     """How the moments follow forces and fabric, as in ``derivations.gradients_kinematic``, by slopes of the forces."""
-    partials: dict[sp.Symbol, Partials] = {}
-    for k, S in enumerate(WEIGHTED):
-        partials[S] = {o: FORCE_MOMENTS[j + k] for j, o in enumerate(WEIGHTS)}
+    partials: dict[sp.Symbol, Partials] = {one_minus_lam: {nu: 2 * over_complement**2}}
     for k, total in enumerate(SUMS):
         S, following = WEIGHTED[k], WEIGHTED[k + 1]
         by_forces = {variable: third * (S * slope_symbol(a, variable) + following * slope_symbol(c, variable))
@@ -168,10 +162,8 @@ def _partials() -> dict[sp.Symbol, Partials]:
 @cache
 def batch() -> tuple[BatchFunction, ...]:
     """What is emitted for batches."""
-    least, most = RATIOS
-    within = (sp.Le(equator_part, 1 / least * pole_part), sp.Le(pole_part, most * equator_part))
-    return (BatchFunction(constant_function(), domain(), factor),
-            BatchFunction(kinetic_function(), (*domain(), *within), factor,
+    return (BatchFunction(constant_function(), domain(), one_minus_lam),
+            BatchFunction(kinetic_function(), served(), level,
                           (c, root_c, v, INTEGRALS[-1], slope_symbol(c, SR), WEIGHTED[-1])))
 
 

@@ -102,8 +102,8 @@ class Function:
         return {symbol: known[symbol] for symbol in self.returns}
 
     def operations(self) -> int:
-        """Count the arithmetic operations of one call."""
-        arithmetic = sum(sp.count_ops(expression) for _, expression in self.assignments)
+        """Count the arithmetic operations of one call; numbers that are given names cost nothing."""
+        arithmetic = sum(sp.count_ops(expression) for _, expression in self.assignments if not expression.is_number)
         return int(arithmetic + sum(2 * (len(series.coefficients) - 1) for series in self.series))
 
 

@@ -6,6 +6,7 @@ coefficients as correctly rounded decimals, no operation that a library may roun
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import groupby
 from textwrap import fill
@@ -53,8 +54,12 @@ def polynomials(table: Array, v: Array) -> Array:
     return total
 '''
 
-PASS = 256
-"""Elements that one pass of a loop goes over: what is kept of them stays in the nearest cache."""
+PASS, GAP = 64, 8
+"""Elements that one pass of a loop goes over, and the numbers between what is kept of them: it all stays in the nearest
+cache, and no two rows of it are a power of two apart."""
+
+SIDE_BY_SIDE = 6
+"""Polynomials of two elements that a processor has registers for: 12 chains, none of which waits for another."""
 
 RELATIONS = {sp.StrictGreaterThan: ">", sp.GreaterThan: ">=", sp.StrictLessThan: "<", sp.LessThan: "<="}
 
@@ -137,7 +142,10 @@ def _loop(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
     kept = _kept(one, passes)
     lines = [f"{symbol.name} = {python_source(number)}" for symbol, number in one.function.assignments
              if number.is_number]
-    lines += [*(f"keep_{name} = np.empty({PASS})" for name in sorted(kept)), "unserved = 0"]
+    if kept:
+        lines.append(f"scratch = np.ones({len(kept) * (PASS + GAP)})")
+    lines += [*(f"keep_{name} = scratch[{k * (PASS + GAP)}:{k * (PASS + GAP) + PASS}]"
+                for k, name in enumerate(sorted(kept))), "unserved = 0"]
     if len(passes) == 1:
         lines += [f"for i in range(all_{names[0]}.size):",
                   *_indented(_pass(one, passes[0], kept, tables, "all", "out"))]
@@ -148,8 +156,12 @@ def _loop(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
                   *(f"    some_{name} = all_{name}[start:stop]" for name in names),
                   f"    some_out = out[{width}*start:{width}*stop]"]
         for members in passes:
-            lines += ["    for i in range(stop - start):",
-                      *_indented(_pass(one, members, kept, tables, "some", "some_out"), 2)]
+            body = _pass(one, members, kept, tables, "some", "some_out")
+            if _only_keeps(one, members):
+                lines += ["    half = (stop - start + 1)//2", "    for i in range(half):",
+                          *_indented(_twice(body), 2)]
+            else:
+                lines += ["    for i in range(stop - start):", *_indented(body, 2)]
     signature, head = _signature(one), _docstring(one)
     for name in names:
         signature = signature.replace(f"{name}: Array", f"all_{name}: Array", 1)
@@ -212,6 +224,27 @@ def _pass(one: BatchFunction, members: list[Assignment], kept: set[str], tables:
     return lines
 
 
+def _only_keeps(one: BatchFunction, members: list[Assignment]) -> bool:
+    """Whether a pass reads and writes only what is kept, and leaves registers for a second element."""
+    arguments = {a.name for a in one.function.arguments}
+    polynomials = sum(1 for _, expression in members if _is_polynomial(expression))
+    return (not arguments & _needed(one, members) and not _stored(one, {symbol.name for symbol, _ in members})
+            and all(symbol != one.gate for symbol, _ in members) and 0 < polynomials <= SIDE_BY_SIDE)
+
+
+def _twice(body: list[str]) -> list[str]:
+    """Each line for an element and for the one half a pass further, so that neither waits for the other.
+
+    Where the elements are odd in number the last line of what is kept is computed for no element.
+    """
+    own = {line.split(" = ")[0] for line in body if "[" not in line.split(" = ")[0]}
+    lines = []
+    for line in body:
+        again = re.sub(r"\b[A-Za-z_]\w*\b", lambda found: f"{found[0]}_too" if found[0] in own else found[0], line)
+        lines += [line, again.replace("[i]", "[i + half]")]
+    return lines
+
+
 def _stored(one: BatchFunction, own: set[str]) -> list[tuple[int, sp.Symbol]]:
     """Results that a pass writes, with their places: those that it assigns, and numbers beside the first of all."""
     returns = one.function.returns
@@ -270,6 +303,8 @@ def _block(one: BatchFunction) -> str:
             if symbol == one.gate:
                 lines += [f"served = {_served(one)}",
                           f"{symbol.name} = np.where(served, {python_source(expression)}, np.nan)"]
+                if symbol in one.function.returns:
+                    lines.append(f"rows[:, {one.function.returns.index(symbol)}] = {symbol.name}")
             elif symbol in one.function.returns:
                 column = f"rows[:, {one.function.returns.index(symbol)}]"
                 lines.append(f"{column} = {python_source(expression)}")

@@ -73,12 +73,12 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
         for terms in reversed(ROWS) if varies else (TERMS,):
             lost = lost * across + _row(coefficients, panel, at, terms, variable)
             at += terms
-        return _finish(D33, Dr33, poisson_ratio, known, kappa, margin, lost, out)
+        return _finish(D33, Dr33, known, kappa, margin, lost, out)
 
 
 def _state(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array,
            friction: Array) -> tuple[Array, Array, Array]:
-    """What is known before a table is read: sums, factor and contrast in rows; kappa; 1 - kappa."""
+    """What is known before a table is read: what ``slip_state`` gives, in rows; kappa; 1 - kappa."""
     state = np.empty(KNOWN * D33.size)
     slip_state(D33, Dr33, stress_ratio, poisson_ratio, state)
     known = np.ascontiguousarray(state.reshape(-1, KNOWN).T)
@@ -114,7 +114,7 @@ def _row(coefficients: Array, panel: Index, at: int, terms: int, variable: Array
     return result
 
 
-def _finish(D33: Array, Dr33: Array, poisson_ratio: Array, known: Array, kappa: Array, margin: Array, lost: Array,
+def _finish(D33: Array, Dr33: Array, known: Array, kappa: Array, margin: Array, lost: Array,
             out: Array) -> int:
     """Take out what is not smooth near the onset, and write the components."""
     lost = lost * kappa
@@ -122,6 +122,6 @@ def _finish(D33: Array, Dr33: Array, poisson_ratio: Array, known: Array, kappa: 
     strength = STRENGTHS[np.where(margin[near] >= 0.0, 0, 1)]
     lost[:, near] -= onset_part(margin[near], known[4, near], strength)
     rows = out.reshape(-1, 6)
-    for place, component in enumerate(slip_components(D33, Dr33, poisson_ratio, *known[:4], *lost)):
+    for place, component in enumerate(slip_components(D33, Dr33, *known[:4], known[5], *lost)):
         rows[:, place] = component
     return int(np.count_nonzero(np.isnan(rows[:, 0])))

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 INTEGRALS = 6
 """Integrals of s^(5-k) x^(2k), k = 0 ... 5: all that a density of rank two asks for."""
 
-KNOWN = 5
-"""Numbers that ``slip_state`` gives for each element: three sums, their factor, and the contrast."""
+KNOWN = 6
+"""Numbers that ``slip_state`` gives for each element: three sums, their level, the contrast, and 1 - k_r/k_n."""
 
 ZONE = 1 / 64
 """Margin to sliding up to which the part that is not smooth at the onset is taken out of a table.

@@ -106,7 +106,7 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
                     add_row_12(rows, 0, x, y, v0, v1, v2)
         in_order(lost, where, kappa, lost_here)
         take_onset_out(margin, state, lost_here)
-        unserved += write_components(d, dr, nu, state, lost_here, out[6 * begin:6 * end])
+        unserved += write_components(d, dr, state, lost_here, out[6 * begin:6 * end])
     return unserved
 
 

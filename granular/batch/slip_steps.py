@@ -24,7 +24,7 @@ def shares(D33: Array, stress_ratio: Array, friction: Array, state: Array, kappa
     ----------
     D33, stress_ratio, friction : (n,) array
         As for ``axial_stiffness`` [-].
-    state : (5 n,) array
+    state : (6 n,) array
         From ``slip_state`` [-].
     kappa, margin : (n,) array
         To be filled [-].
@@ -104,7 +104,7 @@ def take_onset_out(margin: Array, state: Array, lost: Array) -> None:
     ----------
     margin : (n,) array
         1 - kappa [-].
-    state : (5 n,) array
+    state : (6 n,) array
         From ``slip_state`` [-].
     lost : (6, m) array
         What slip takes, and what is not smooth about it near the onset, n <= m [-].
@@ -120,14 +120,14 @@ def take_onset_out(margin: Array, state: Array, lost: Array) -> None:
                 lost[k, i] -= part[k]
 
 
-def write_components(D33: Array, Dr33: Array, poisson_ratio: Array, state: Array, lost: Array, out: Array) -> int:
+def write_components(D33: Array, Dr33: Array, state: Array, lost: Array, out: Array) -> int:
     """Write the components of each element, and count those that are not served.
 
     Parameters
     ----------
-    D33, Dr33, poisson_ratio : (n,) array
+    D33, Dr33 : (n,) array
         As for ``axial_stiffness`` [-].
-    state : (5 n,) array
+    state : (6 n,) array
         From ``slip_state`` [-].
     lost : (6, m) array
         What slip takes, n <= m [-].
@@ -147,7 +147,7 @@ def write_components(D33: Array, Dr33: Array, poisson_ratio: Array, state: Array
     for i in range(D33.size):
         known, place = KNOWN * i, 6 * i
         found = slip_components(
-            D33[i], Dr33[i], poisson_ratio[i], state[known], state[known + 1], state[known + 2], state[known + 3],
+            D33[i], Dr33[i], state[known], state[known + 1], state[known + 2], state[known + 3], state[known + 5],
             lost[0, i], lost[1, i], lost[2, i], lost[3, i], lost[4, i], lost[5, i])
         out[place] = found[0]
         out[place + 1] = found[1]

@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
 Source: (20), (21), (23) of Pan & Dong (1999).
 Domain: a, c > 0, a != c; margin <= 1.
-Operations: 451 (7736 in the outputs as derived).
+Operations: 439 (7736 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def onset_part(
 
 
 def slip_components(
-    D33: Array, Dr33: Array, nu: Array, sum0: Array, sum1: Array, sum2: Array, factor: Array, lost0: Array, lost1: Array, lost2: Array, lost3: Array, lost4: Array, lost5: Array,
+    D33: Array, Dr33: Array, sum0: Array, sum1: Array, sum2: Array, level: Array, one_minus_lam: Array, lost0: Array, lost1: Array, lost2: Array, lost3: Array, lost4: Array, lost5: Array,
 ) -> tuple[Array, Array, Array, Array, Array, Array]:
     """Six components over (M/V) l_e^2 k_n,ref with partial slip.
 
@@ -93,12 +93,12 @@ def slip_components(
         P2 coefficient of the contact-normal density.
     Dr33 : (...) array [-]
         P2 coefficient of the branch-length weight.
-    nu : (...) array [-]
-        Poisson's ratio of the grain material.
     sum0 : (...) array [-]
     sum1 : (...) array [-]
     sum2 : (...) array [-]
-    factor : (...) array [-]
+    level : (...) array [-]
+    one_minus_lam : (...) array [-]
+        One minus the stiffness ratio, entered as itself.
     lost0 : (...) array [-]
     lost1 : (...) array [-]
     lost2 : (...) array [-]
@@ -121,34 +121,41 @@ def slip_components(
     C1212 : (...) array [-]
         Stiffness component 1212.
 
-    Operations: 82.
+    Operations: 70.
     """
     e0 = 2 - D33
     e1 = 2*D33 + 2
+    lost_density0 = e0*lost0 + e1*lost1
+    lost_density1 = e0*lost1 + e1*lost2
+    lost_density2 = e0*lost2 + e1*lost3
+    lost_density3 = e0*lost3 + e1*lost4
+    lost_density4 = e0*lost4 + e1*lost5
+    whole = 3465*level
     w0 = 2 - Dr33
-    w1 = 2*Dr33 + 2
-    mixed = e0*w1
-    mixed_too = e1*w0
-    omega0 = e0*w0*w0
-    omega1 = w0*(2*mixed + mixed_too)
-    omega2 = w1*(mixed + 2*mixed_too)
-    omega3 = e1*w1*w1
-    complement = 2 - nu
-    share = 2 - 2*nu
-    scale = 3465
-    taken0 = scale*(lost0*omega0 + lost1*omega1 + lost2*omega2 + lost3*omega3)
-    taken1 = scale*(lost1*omega0 + lost2*omega1 + lost3*omega2 + lost4*omega3)
-    taken2 = scale*(lost2*omega0 + lost3*omega1 + lost4*omega2 + lost5*omega3)
+    half_w1 = Dr33 + 1
+    twice_w1 = 4*half_w1
+    level_w0 = w0*whole
+    level_half_w1 = half_w1*whole
+    square0 = level_w0*w0
+    square1 = level_w0*twice_w1
+    square2 = level_half_w1*twice_w1
+    taken0 = lost_density0*square0 + lost_density1*square1 + lost_density2*square2
+    taken1 = lost_density1*square0 + lost_density2*square1 + lost_density3*square2
+    taken2 = lost_density2*square0 + lost_density3*square1 + lost_density4*square2
+    lam = 1 - one_minus_lam
     kept0 = sum0 - taken0
     kept1 = sum1 - taken1
     kept2 = sum2 - taken2
-    shear0 = nu*sum0 + share*taken0
-    shear1 = 4*nu*sum1 + 4*share*taken1
+    shear0 = lam*taken0 + one_minus_lam*sum0
+    quarter = lam*taken1 + one_minus_lam*sum1
+    shear1 = 4*quarter
     both = kept0 + kept1
-    C1111 = factor*(3*complement*sum0 + share*(kept0 + 4*kept1))
-    C3333 = 8*factor*(complement*sum2 + kept1*share)
-    C1122 = factor*shear0
-    C1133 = factor*shear1
-    C2323 = factor*(share*(both + 2*kept1 + 2*kept2) + shear1)
-    C1212 = factor*(2*both*share + shear0)
+    later = kept1 + kept2
+    along = kept1*lam + sum2
+    C1111 = lam*(kept0 + 4*kept1) + 3*sum0
+    C3333 = 8*along
+    C1122 = shear0
+    C1133 = shear1
+    C2323 = lam*(both + 2*later) + shear1
+    C1212 = 2*both*lam + shear0
     return C1111, C3333, C1122, C1133, C2323, C1212

@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
 Source: (20), (21), (23) of Pan & Dong (1999).
 Domain: slip_state: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
-Operations: 348 (7736 in the outputs as derived).
+Operations: 347 (7736 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def polynomials(table: Array, v: Array) -> Array:
 
 
 def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int:
-    """The sums of the normal stiffness, their factor, and the cubic contrast of the forces.
+    """The sums of the normal stiffness, their level, the cubic contrast of the forces, 1 - k_r/k_n.
 
     Served for 1/9 <= c/a <= 6 with a and c the normal forces at equator and pole.
 
@@ -94,19 +94,20 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         Stress ratio, principal stress along over across axis 3.
     nu : (n,) array [-]
         Poisson's ratio of the grain material.
-    out : (5 n,) array [-]
-        sum0, sum1, sum2, sums_factor, contrast of each element in turn, NaN for those that are not served.
+    out : (6 n,) array [-]
+        sum0, sum1, sum2, level, v, one_minus_lam of each element in turn, NaN for those that are not served.
 
     Returns
     -------
     unserved : int
         How many elements are not served.
 
-    Operations: 348.
+    Operations: 347.
     """
-    rows = out.reshape(-1, 5)
+    rows = out.reshape(-1, 6)
     with np.errstate(all="ignore"):  # what is not served may be anything
         third = 1/3
+        unit = 1/443520
         equator_part = 2*D33 + 5
         pole_part = SR*(5 - D33)
         forces = 15/(equator_part*(5 - D33)*(SR + 2))
@@ -131,27 +132,35 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         root_a = near_a + square_a*third*(a - near_a*near_a*near_a)
         root_c = near_c + square_c*third*(c - near_c*near_c*near_c)
         complement = 2 - nu
-        share = 2 - 2*nu
         roots = root_a + root_c
-        scaled = 221760*complement
-        reciprocal = 1/(roots*scaled)
+        reciprocal = 1/(complement*roots)
+        over_roots = complement*reciprocal
+        over_complement = reciprocal*roots
+        rows[:, 5] = nu*over_complement
+        one_minus_lam = rows[:, 5]
+        lam = 1 - one_minus_lam
         served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
-        factor = np.where(served, reciprocal*roots*roots/2, np.nan)
-        v = reciprocal*scaled*(-root_a + root_c)
+        level = np.where(served, roots*unit, np.nan)
+        rows[:, 3] = level
+        rows[:, 4] = over_roots*(-root_a + root_c)
+        v = rows[:, 4]
         f0, f1, f2, f3, f4, f5 = polynomials(CUBIC, v)
         e0 = 2 - D33
         e1 = 2*D33 + 2
+        density0 = e0*f0 + e1*f1
+        density1 = e0*f1 + e1*f2
+        density2 = e0*f2 + e1*f3
+        density3 = e0*f3 + e1*f4
+        density4 = e0*f4 + e1*f5
         w0 = 2 - Dr33
-        w1 = 2*Dr33 + 2
-        mixed = e0*w1
-        mixed_too = e1*w0
-        omega0 = e0*w0*w0
-        omega1 = w0*(2*mixed + mixed_too)
-        omega2 = w1*(mixed + 2*mixed_too)
-        omega3 = e1*w1*w1
-        rows[:, 0] = f0*omega0 + f1*omega1 + f2*omega2 + f3*omega3
-        rows[:, 1] = f1*omega0 + f2*omega1 + f3*omega2 + f4*omega3
-        rows[:, 2] = f2*omega0 + f3*omega1 + f4*omega2 + f5*omega3
-        rows[:, 3] = factor
-        rows[:, 4] = v
+        half_w1 = Dr33 + 1
+        twice_w1 = 4*half_w1
+        level_w0 = level*w0
+        level_half_w1 = half_w1*level
+        square0 = level_w0*w0
+        square1 = level_w0*twice_w1
+        square2 = level_half_w1*twice_w1
+        rows[:, 0] = density0*square0 + density1*square1 + density2*square2
+        rows[:, 1] = density1*square0 + density2*square1 + density3*square2
+        rows[:, 2] = density2*square0 + density3*square1 + density4*square2
     return int(served.size - np.count_nonzero(served))
