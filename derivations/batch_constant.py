@@ -65,10 +65,10 @@ def density_assignments() -> Assignments:
             *((one, rate * shifted) for one, rate, shifted in zip(DENSITY, RATES, SHIFTED, strict=True)))
 
 
-def square_assignments(level: sp.Expr = sp.Integer(1)) -> Assignments:
+def square_assignments(level: sp.Symbol | None = None) -> Assignments:
     """From the branch lengths to the coefficients of 4 W^2, times a level."""
-    at_equator, at_pole = (sp.symbols("level_w0 level_half_w1") if level.is_Symbol else (w0, half_w1))
-    scaled = ((at_equator, level * w0), (at_pole, level * half_w1)) if level.is_Symbol else ()
+    at_equator, at_pole = sp.symbols("level_w0 level_half_w1") if level else (w0, half_w1)
+    scaled = ((at_equator, level * w0), (at_pole, level * half_w1)) if level else ()
     return ((w0, 2 - Dr33), (half_w1, 1 + Dr33), (twice_w1, 4 * half_w1), *scaled,
             (SQUARES[0], at_equator * w0), (SQUARES[1], at_equator * twice_w1), (SQUARES[2], at_pole * twice_w1))
 
@@ -134,9 +134,9 @@ def steps(closed: dict[sp.Symbol, sp.Expr], components: tuple[sp.Expr, ...]) -> 
     return (
         Step("For very many fabrics at once",
              "Without the coefficient of rank four the density is averaged first: its integrals are linear in "
-             rf"$D_{{33}}$ with the zeros ${', '.join(latex(zero) for zero in zeros)}$, outside $-1 \le D_{{33}} \le 2$, "
-             "so that no digit is lost. The squares of the branch length weight them; one division is left, that in "
-             r"$\bar\lambda$.",
+             rf"$D_{{33}}$ with the zeros ${', '.join(latex(zero) for zero in zeros)}$, outside "
+             r"$-1 \le D_{33} \le 2$, so that no digit is lost. The squares of the branch length weight them; one "
+             r"division is left, that in $\bar\lambda$.",
              (rf"{latex(POSITIVE_MOMENTS[0])} = 2\left[(2-D^r_{{33}})^2 d_0 + 4(2-D^r_{{33}})(1+D^r_{{33}})\,d_1 + "
               r"4(1+D^r_{33})^2 d_2\right],\qquad d_j = \frac{1}{8}\int_0^1 s^{4-j}x^{2j}E\,\mathrm{d}x",),
              (*(Claim(sp.expand(8 * known[total]), sp.expand(closed[p]))

@@ -144,7 +144,8 @@ def sums_of_forces() -> Assignments:
     """From the assembly to the sums of the normal stiffness, and to the ratio of the stiffnesses on the way."""
     polynomial = sp.Function("polynomial")
     return (
-        (third, THIRD), (unit, sp.Rational(1, 2 * SCALE)), (equator_part, 5 + 2 * D33), (pole_part, SR * sp.Add(5, -D33)),
+        (third, THIRD), (unit, sp.Rational(1, 2 * SCALE)),
+        (equator_part, 5 + 2 * D33), (pole_part, SR * sp.Add(5, -D33)),
         (forces, 15 / (sp.Add(2, SR) * sp.Add(5, -D33) * equator_part)),
         (a, forces * equator_part), (c, forces * pole_part),
         *(one for pair in zip(root_assignments(a, root_a), root_assignments(c, root_c), strict=True) for one in pair),

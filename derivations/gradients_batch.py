@@ -21,7 +21,6 @@ from derivations.batch_constant import (
     component_assignments,
     density_assignments,
     domain,
-    ratio_assignments,
     square_assignments,
     sum_assignments,
 )
@@ -72,6 +71,11 @@ DENSITY_OF_FORCES = (*DENSITY, sp.Symbol("density5", nonnegative=True))
 fifteenth, over_pole = sp.symbols("fifteenth over_pole", positive=True)
 
 
+RATIO = ((one_minus_lam, nu * over_complement), (lam, 1 - one_minus_lam))
+SLOPE_OF_RATIO = {nu: 2 * over_complement**2}
+"""One minus the ratio of the stiffnesses, nu/(2 - nu), and how it goes with nu."""
+
+
 def taylor(m: int) -> tuple[Fraction, ...]:
     """Exact coefficients in v of DENOMINATOR times the m-th integral."""
     return tuple(DENOMINATOR * sum((value * contrast_moment(m, q, DEGREE) for q, value in enumerate(row) if value),
@@ -102,11 +106,11 @@ def _closing(assignments: Assignments, arguments: tuple[sp.Symbol, ...],
 def constant_function() -> Function:
     """Emit components and slopes of one fabric whose contacts are all equally stiff."""
     assignments, returns = _closing(
-        (*density_assignments(), *square_assignments(), *sum_assignments(SUMS, DENSITY), *ratio_assignments(),
-         *component_assignments()), (D33, Dr33, nu), {one_minus_lam: {nu: (1 + one_minus_lam) ** 2 / 2}})
+        (*density_assignments(), *square_assignments(), *sum_assignments(SUMS, DENSITY), *RATIO,
+         *component_assignments()), (D33, Dr33, nu), {one_minus_lam: SLOPE_OF_RATIO})
     return Function(
         "constant_rows", "Six components over (M/V) l_e^2 k_n and their slopes, for contacts that are equally stiff.",
-        (D33, Dr33, nu), assignments, returns, unit="-",
+        (D33, Dr33, nu), ((complement, 2 - nu), (over_complement, 1 / complement), *assignments), returns, unit="-",
         notes="Slopes by D33, Dr33, SR, mu and nu, six each; those by SR and mu are zero.")
 
 
@@ -128,8 +132,8 @@ def kinetic_function() -> Function:
     moments = tuple((total, a * WEIGHTED[k] + c * WEIGHTED[k + 1]) for k, total in enumerate(SUMS))
     carried, returns = _closing(
         (*density_of_integrals(FORCE_MOMENTS, DENSITY_OF_FORCES), *square_assignments(),
-         *sum_assignments(WEIGHTED, DENSITY_OF_FORCES), *moments, (one_minus_lam, nu * over_complement),
-         (lam, 1 - one_minus_lam), *component_assignments()), (D33, Dr33, SR, nu), _partials())
+         *sum_assignments(WEIGHTED, DENSITY_OF_FORCES), *moments, *RATIO, *component_assignments()),
+        (D33, Dr33, SR, nu), _partials())
     slopes_of_forces = tuple((slope_symbol(force, variable), value) for force, by in _force_slopes().items()
                              for variable, value in by.items())
     return Function(
@@ -150,7 +154,7 @@ def _force_slopes() -> dict[sp.Symbol, Partials]:
 
 def _partials() -> dict[sp.Symbol, Partials]:
     """How the moments follow forces and fabric, as in ``derivations.gradients_kinematic``, by slopes of the forces."""
-    partials: dict[sp.Symbol, Partials] = {one_minus_lam: {nu: 2 * over_complement**2}}
+    partials: dict[sp.Symbol, Partials] = {one_minus_lam: SLOPE_OF_RATIO}
     for k, total in enumerate(SUMS):
         S, following = WEIGHTED[k], WEIGHTED[k + 1]
         by_forces = {variable: third * (S * slope_symbol(a, variable) + following * slope_symbol(c, variable))

@@ -122,12 +122,15 @@ class BatchFunction:
     passes : tuple of sympy.Symbol
         Assigned symbols after which the loop goes over a few hundred elements before the next assignment: a processor
         works on several elements at once only if what it does to one is short.
+    apart : bool
+        Whether a result of all elements is followed by the next one, in place of all results of one element.
     """
 
     function: Function
     serves: tuple[sp.Rel, ...]
     gate: sp.Symbol
     passes: tuple[sp.Symbol, ...] = ()
+    apart: bool = False
 
 
 @dataclass(frozen=True)

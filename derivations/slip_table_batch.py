@@ -21,7 +21,6 @@ from derivations.symbols import (
     d0,
     d1,
     lam,
-    nu,
     one_minus_lam,
     v,
 )
@@ -68,7 +67,7 @@ def component_function() -> Function:
 def batch() -> tuple[BatchFunction, ...]:
     """What is emitted for batches."""
     kinetic, = batch_kinetic.batch()
-    return (replace(kinetic, function=state_function()),)
+    return (replace(kinetic, function=state_function(), apart=True),)
 
 
 def components_step() -> Step:

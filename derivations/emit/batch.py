@@ -109,7 +109,8 @@ def _docstring(one: BatchFunction) -> str:
     before = described.split("    Returns\n")[0].rstrip()
     names = ", ".join(result.name for result in one.function.returns)
     count = len(one.function.returns)
-    places = fill(f"{names} of each element in turn, NaN for those that are not served.", WIDTH,
+    order = "each for all elements" if one.apart else "of each element in turn"
+    places = fill(f"{names}{',' * one.apart} {order}, NaN for those that are not served.", WIDTH,
                   initial_indent=" " * 8, subsequent_indent=" " * 8)
     return (f"{before}\n    out : ({count} n,) array [-]\n{places}\n\n    Returns\n    -------\n"
             "    unserved : int\n        How many elements are not served.\n\n"
@@ -154,7 +155,9 @@ def _loop(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
         lines += [f"for start in range(0, all_{names[0]}.size, {PASS}):",
                   f"    stop = min(start + {PASS}, all_{names[0]}.size)",
                   *(f"    some_{name} = all_{name}[start:stop]" for name in names),
-                  f"    some_out = out[{width}*start:{width}*stop]"]
+                  *([f"    some_{r.name} = out[{k}*all_{names[0]}.size:{k + 1}*all_{names[0]}.size][start:stop]"
+                     for k, r in enumerate(one.function.returns)] if one.apart else
+                    [f"    some_out = out[{width}*start:{width}*stop]"])]
         for members in passes:
             body = _pass(one, members, kept, tables, "some", "some_out")
             if _only_keeps(one, members):
@@ -218,7 +221,9 @@ def _pass(one: BatchFunction, members: list[Assignment], kept: set[str], tables:
                 lines.append(f"{symbol.name} = {python_source(expression)}")
     lines += [f"keep_{name}[i] = {name}" for name in sorted(own & kept)]
     stored = _stored(one, own)
-    if stored:
+    if one.apart:
+        lines += [f"some_{r.name}[i] = {r.name}" for _, r in stored]
+    elif stored:
         lines += [f"place = {len(one.function.returns)}*i",
                   *(f"{target}[place + {k}] = {r.name}" for k, r in stored)]
     return lines
@@ -292,6 +297,7 @@ def _table(name: str, members: list[TruncatedSeries]) -> str:
 
 def _block(one: BatchFunction) -> str:
     lines = []
+    columns = {r: f"rows[{k}]" if one.apart else f"rows[:, {k}]" for k, r in enumerate(one.function.returns)}
     groups, read = iter(_polynomial_groups(one)), _needed(one, list(one.function.assignments))
     for key, members in groupby(one.function.assignments, _group_key):
         if key is not None:
@@ -303,16 +309,16 @@ def _block(one: BatchFunction) -> str:
             if symbol == one.gate:
                 lines += [f"served = {_served(one)}",
                           f"{symbol.name} = np.where(served, {python_source(expression)}, np.nan)"]
-                if symbol in one.function.returns:
-                    lines.append(f"rows[:, {one.function.returns.index(symbol)}] = {symbol.name}")
-            elif symbol in one.function.returns:
-                column = f"rows[:, {one.function.returns.index(symbol)}]"
-                lines.append(f"{column} = {python_source(expression)}")
+                if symbol in columns:
+                    lines.append(f"{columns[symbol]} = {symbol.name}")
+            elif symbol in columns:
+                lines.append(f"{columns[symbol]} = {python_source(expression)}")
                 if symbol.name in read:
-                    lines.append(f"{symbol.name} = {column}")
+                    lines.append(f"{symbol.name} = {columns[symbol]}")
             else:
                 lines.append(f"{symbol.name} = {python_source(expression)}")
     body = "\n".join(f"        {line}" for line in lines)
-    return (f"{_signature(one)}\n{_docstring(one)}\n    rows = out.reshape(-1, {len(one.function.returns)})\n"
+    shape = f"{len(columns)}, -1" if one.apart else f"-1, {len(columns)}"
+    return (f"{_signature(one)}\n{_docstring(one)}\n    rows = out.reshape({shape})\n"
             '    with np.errstate(all="ignore"):  # what is not served may be anything\n'
             f"{body}\n    return int(served.size - np.count_nonzero(served))\n")

@@ -12,6 +12,9 @@ TOGETHER = 3
 SIZES = (4, 7, 10, 12, 14)
 """Numbers of coefficients for which a loop is emitted."""
 
+FIRST = (4, 12)
+"""Those with which a sum of rows begins."""
+
 HEADER = '''\
 """Rows of polynomials in two variables for the elements of a panel: loops over elements, to be compiled.
 
@@ -30,53 +33,71 @@ Array: TypeAlias = npt.NDArray[np.float64]
 '''
 
 DOCSTRING = '''\
-    """Multiply three values of each element by one variable, and add a polynomial in the other to each.
+    """{summary}
 
     Parameters
     ----------
-    rows : (3, terms) array [-]
-        Coefficients of the three polynomials, highest power first.
+    rows : (6, terms) array [-]
+        Coefficients of polynomials, highest power first.
+    k : int
+        The first of the three polynomials.
     at : int
         Place of the first of the {size} that are used.
     variable : (n,) array [-]
         Variable of the polynomials.
-    other : (n,) array [-]
-        Factor of the values.
-    v0, v1, v2 : (n,) array [-]
-        Values, changed in place.
+{other}    values : (6, m) array [-]
+        Values, n of three rows of which are {done}.
+    first, last : int
+        Where these begin and end.
 
     Operations: {operations}.
     """
 '''
 
+OTHER = """\
+    other : (n,) array [-]
+        Factor of the values.
+"""
+
 
 def panel_module() -> str:
     """Return the text of ``granular/generated/panel_rows.py``."""
-    return "\n".join([HEADER, *("\n" + _function(size) for size in SIZES)])
+    return "\n".join([HEADER, *("\n" + _function(size, first=True) for size in FIRST),
+                      *("\n" + _function(size, first=False) for size in SIZES)])
 
 
-def _function(size: int) -> str:
-    operations = 1 + TOGETHER * (2 * (size - 1) + 2)
-    lines = [f"def add_row_{size}(rows: Array, at: int, variable: Array, other: Array, "
-             "v0: Array, v1: Array, v2: Array) -> None:",
-             DOCSTRING.format(size=size, operations=operations).rstrip("\n")]
-    lines += [f"    {_name(k, i)} = rows[{k}, at + {i}]" for k in range(TOGETHER) for i in range(size)]
+def _function(size: int, *, first: bool) -> str:
+    operations = 1 + TOGETHER * (2 * (size - 1) + (0 if first else 2))
+    name, other = (f"set_row_{size}", "") if first else (f"add_row_{size}", "other: Array, ")
+    summary = ("Set three values of each element to polynomials." if first else
+               "Multiply three values of each element by one variable, and add a polynomial in the other to each.")
+    said = DOCSTRING.format(operations=operations, summary=summary, size=size, other="" if first else OTHER,
+                            done="set" if first else "changed in place")
+    lines = [f"def {name}(rows: Array, k: int, at: int, variable: Array, {other}values: Array, first: int, "
+             "last: int) -> None:",
+             said.rstrip("\n")]
+    lines += [f"    {_name(k, i)} = rows[k + {k}, at + {i}]" for k in range(TOGETHER) for i in range(size)]
+    lines += [f"    v{k} = values[k + {k}, first:last]" for k in range(TOGETHER)]
     lines += ["    for r in range(variable.size):", "        x = variable[r]", "        z = x*x"]
-    lines += [f"        v{k}[r] = v{k}[r]*other[r] + ({_sum(k, size)})" for k in range(TOGETHER)]
+    lines += _chains(size)
+    before = "" if first else "v{k}[r]*other[r] + "
+    lines += [f"        v{k}[r] = {before.format(k=k)}(even{k} + x*odd{k})" for k in range(TOGETHER)]
     return "\n".join(lines) + "\n"
 
 
-def _sum(k: int, size: int) -> str:
-    """Even part plus x times the odd part."""
-    names = [_name(k, i) for i in range(size)]
-    return f"{_horner(names[(size - 1) % 2::2])} + x*{_horner(names[size % 2::2])}"
-
-
-def _horner(names: list[str]) -> str:
-    text = names[0]
-    for name in names[1:]:
-        text = f"({text}*z + {name})"
-    return text
+def _chains(size: int) -> list[str]:
+    """Even and odd parts by Horner's rule, a term of each in turn."""
+    parts = [(f"{part}{k}", [_name(k, i) for i in range(size)][(size - 1 + shift) % 2::2])
+             for k in range(TOGETHER) for shift, part in enumerate(("even", "odd"))]
+    lines = []
+    for term in range((size + 1) // 2):
+        for name, coefficients in parts:
+            own = term - ((size + 1) // 2 - len(coefficients))
+            if own == 0:
+                lines.append(f"        {name} = {coefficients[0]}")
+            elif own > 0:
+                lines.append(f"        {name} = {name}*z + {coefficients[own]}")
+    return lines
 
 
 def _name(k: int, i: int) -> str:

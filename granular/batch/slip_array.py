@@ -34,6 +34,9 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
     Index = NDArray[np.int64]
 
+SUMMED = [0, 1, 2, 3, 5]
+"""What ``slip_components`` takes of the state: all but the contrast."""
+
 
 def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array, friction: Array,
                  coefficients: Array, middle: Array, narrowness: Array, out: Array) -> int:
@@ -81,7 +84,7 @@ def _state(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array,
     """What is known before a table is read: what ``slip_state`` gives, in rows; kappa; 1 - kappa."""
     state = np.empty(KNOWN * D33.size)
     slip_state(D33, Dr33, stress_ratio, poisson_ratio, state)
-    known = np.ascontiguousarray(state.reshape(-1, KNOWN).T)
+    known = state.reshape(KNOWN, -1)
     square = known[4] * known[4]
     product = 1.0 - square
     kappa = (3.0 + square) * np.abs(known[4]) / (friction * (product * np.sqrt(product)))
@@ -122,6 +125,6 @@ def _finish(D33: Array, Dr33: Array, known: Array, kappa: Array, margin: Array, 
     strength = STRENGTHS[np.where(margin[near] >= 0.0, 0, 1)]
     lost[:, near] -= onset_part(margin[near], known[4, near], strength)
     rows = out.reshape(-1, 6)
-    for place, component in enumerate(slip_components(D33, Dr33, *known[:4], known[5], *lost)):
+    for place, component in enumerate(slip_components(D33, Dr33, *known[SUMMED], *lost)):
         rows[:, place] = component
     return int(np.count_nonzero(np.isnan(rows[:, 0])))

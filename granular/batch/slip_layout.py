@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 INTEGRALS = 6
 """Integrals of s^(5-k) x^(2k), k = 0 ... 5: all that a density of rank two asks for."""
 
-KNOWN = 6
-"""Numbers that ``slip_state`` gives for each element: three sums, their level, the contrast, and 1 - k_r/k_n."""
+KNOWN, CONTRAST = 6, 4
+"""Numbers that ``slip_state`` gives for each element: three sums, their level, the contrast, and 1 - k_r/k_n; and
+which of them the contrast is."""
 
 ZONE = 1 / 64
 """Margin to sliding up to which the part that is not smooth at the onset is taken out of a table.
@@ -31,7 +32,7 @@ Farther before the onset it would be many times as large as what it is taken fro
 ZONE_BITS = 1023 - 6
 """Exponent of ``ZONE`` as it stands in a double."""
 
-DELICATE = 1 / 128
+DELICATE = 1 / 512
 """Contrast below which plain arithmetic would lose digits of kappa."""
 
 BETWEEN_ROOTS = math.sqrt(math.pi) * math.gamma(4 / 3) / math.gamma(11 / 6)

@@ -13,9 +13,7 @@ import numpy as np
 
 from granular.batch.slip_layout import (
     ALIGNED,
-    COLUMN_WIDTH,
     COLUMNS,
-    CONTRASTS,
     HALVES,
     INTEGRALS,
     KNOWN,
@@ -24,8 +22,16 @@ from granular.batch.slip_layout import (
     margin_panels,
 )
 from granular.batch.slip_share import HELPERS as OF_SHARES
-from granular.batch.slip_steps import in_order, shares, sort_by_panel, take_onset_out, write_components
-from granular.generated.panel_rows import add_row_4, add_row_7, add_row_10, add_row_12, add_row_14
+from granular.batch.slip_steps import contrast_panels, in_order, shares, sort_by_panel, take_onset_out, write_components
+from granular.generated.panel_rows import (
+    add_row_4,
+    add_row_7,
+    add_row_10,
+    add_row_12,
+    add_row_14,
+    set_row_4,
+    set_row_12,
+)
 from granular.generated.slip_table_array import onset_part, slip_components
 from granular.generated.slip_table_loop import slip_state
 
@@ -34,9 +40,12 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-CHUNK, CHUNK_VARIES = 1 << 14, 1 << 15
+CHUNK, CHUNK_VARIES = 1 << 15, 1 << 15
 """Elements that are sorted together with one friction and with friction that varies: some hundred for each panel,
 and what is known of them stays near the processor."""
+
+PART = 512
+"""Elements that go through the steps after the table together: what is known of them stays in the nearest cache."""
 
 
 def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array, friction: Array,
@@ -68,8 +77,9 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
     room = most + ALIGNED * min(most, middle.size)
     all_state, all_kappa, all_margin = np.empty(KNOWN * most), np.empty(most), np.empty(most)
     all_panel, all_where = np.empty(most, dtype=np.int64), np.empty(most, dtype=np.int64)
-    variable, other, start = np.zeros(room), np.zeros(room), np.zeros(middle.size + 1, dtype=np.int64)
-    across, lost, lost_here = np.zeros(most), np.zeros((INTEGRALS, room)), np.zeros((INTEGRALS, most))
+    all_near, variable, other = np.empty(most, dtype=np.int64), np.zeros(room), np.zeros(room)
+    across, lost, lost_here = np.zeros(most), np.zeros((INTEGRALS, room)), np.zeros((INTEGRALS, min(most, PART)))
+    start = np.zeros(middle.size + 1, dtype=np.int64)
     for begin in range(0, D33.size, chunk):
         end = min(begin + chunk, D33.size)
         size = end - begin
@@ -77,68 +87,67 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
         state, kappa, margin = all_state[:KNOWN * size], all_kappa[:size], all_margin[:size]
         panel, where = all_panel[:size], all_where[:size]
         slip_state(d, dr, ratio, nu, state)
-        shares(d, ratio, friction[begin:end], state, kappa, margin)
+        near = all_near[:shares(d, ratio, friction[begin:end], state, kappa, margin, all_near)]
         margin_panels(margin, bits, side, panel)
-        for i in range(size):
-            contrast = state[KNOWN * i + 4]
-            if varies:
-                position = (contrast - CONTRASTS[0]) / COLUMN_WIDTH
-                column = int(min(position if position > 0.0 else 0.0, COLUMNS - 0.5))
-                across[i] = 2.0 * (position - column) - 1.0
-                panel[i] = panel[i] * COLUMNS + column
-            elif contrast < 0.0:
-                panel[i] += 2 * side
-        sort_by_panel(panel, start, where)
-        for i in range(size):
-            variable[where[i]] = (abs(margin[i]) - middle[panel[i]]) * narrowness[panel[i]]
-            other[where[i]] = across[i]
+        contrast_panels(state, side, varies, panel, across)
+        sort_by_panel(panel, margin, start, where, variable)
+        if varies:
+            for i in range(size):
+                other[where[i]] = across[i]
         for one in range(middle.size):
             first, last = start[one], start[one + 1]
             if first == last:
                 continue
+            for place in range(first, last):
+                variable[place] = (variable[place] - middle[one]) * narrowness[one]
             for k in range(0, INTEGRALS, 3):
-                rows, x, y = coefficients[one, k:k + 3], variable[first:last], other[first:last]
-                v0, v1, v2 = lost[k, first:last], lost[k + 1, first:last], lost[k + 2, first:last]
-                v0[:] = v1[:] = v2[:] = 0.0
                 if varies:
-                    add_rows(rows, x, y, v0, v1, v2)
+                    sum_rows(coefficients[one], k, variable[first:last], other[first:last], lost, first, last)
                 else:
-                    add_row_12(rows, 0, x, y, v0, v1, v2)
-        in_order(lost, where, kappa, lost_here)
-        take_onset_out(margin, state, lost_here)
-        unserved += write_components(d, dr, state, lost_here, out[6 * begin:6 * end])
+                    set_row_12(coefficients[one], k, 0, variable[first:last], lost, first, last)
+        done = 0
+        for first in range(0, size, PART):
+            last = min(first + PART, size)
+            in_order(lost, where[first:last], kappa[first:last], lost_here)
+            done = take_onset_out(near, done, first, last, margin, state, lost_here)
+            unserved += write_components(d, dr, state, first, last, lost_here, out[6 * begin:6 * end])
     return unserved
 
 
-def add_rows(rows: Array, variable: Array, other: Array, v0: Array, v1: Array, v2: Array) -> None:
-    """Add all rows of ``slip_tables.ROWS``, the highest power of the contrast first.
+def sum_rows(rows: Array, k: int, variable: Array, other: Array, values: Array, first: int, last: int) -> None:
+    """Sum all rows of ``slip_tables.ROWS``, the highest power of the contrast first.
 
     Parameters
     ----------
-    rows : (3, terms) array
-        Coefficients of three polynomials [-].
+    rows : (6, terms) array
+        Coefficients of polynomials, highest power first [-].
     variable, other : (n,) array
         Place in the panel along margin and contrast [-].
-    v0, v1, v2 : (n,) array
-        Zeros, to be filled [-].
+    k : int
+        The first of three polynomials [-].
+    values : (6, m) array
+        To be filled from ``first`` to ``last`` [-].
+    first, last : int
+        Where the elements of the panel begin and end [-].
 
     Notes
     -----
     Source: the table.
     """
-    for at in (0, 4):
-        add_row_4(rows, at, variable, other, v0, v1, v2)
+    set_row_4(rows, k, 0, variable, values, first, last)
+    add_row_4(rows, k, 4, variable, other, values, first, last)
     for at in (8, 15):
-        add_row_7(rows, at, variable, other, v0, v1, v2)
+        add_row_7(rows, k, at, variable, other, values, first, last)
     for at in (22, 32):
-        add_row_10(rows, at, variable, other, v0, v1, v2)
+        add_row_10(rows, k, at, variable, other, values, first, last)
     for at in (42, 54, 66):
-        add_row_12(rows, at, variable, other, v0, v1, v2)
+        add_row_12(rows, k, at, variable, other, values, first, last)
     for at in (78, 92):
-        add_row_14(rows, at, variable, other, v0, v1, v2)
+        add_row_14(rows, k, at, variable, other, values, first, last)
 
 
 HELPERS: tuple[Callable[..., object], ...] = (
-    *OF_SHARES, onset_part, slip_components, slip_state, add_row_4, add_row_7, add_row_10, add_row_12, add_row_14,
-    shares, margin_panels, sort_by_panel, in_order, take_onset_out, write_components, add_rows)
+    *OF_SHARES, onset_part, slip_components, slip_state, set_row_4, set_row_12, add_row_4, add_row_7,
+    add_row_10, add_row_12, add_row_14,
+    shares, margin_panels, contrast_panels, sort_by_panel, in_order, take_onset_out, write_components, sum_rows)
 """What a compiler has to know before it compiles a loop."""

@@ -29,6 +29,9 @@ SAME = 1e-4
 TOLERANCE = 1e-15
 """Relative change of unknowns or chi-square at which the last search stops [-]."""
 
+EQUAL = 1e-9
+"""Minima whose chi-squares differ by less than this are equally low: nothing but rounding tells them apart [-]."""
+
 MOST_STEPS = 120
 """Steps after which a search that has not settled is left where it is."""
 
@@ -63,7 +66,7 @@ def minima(problem: Problem) -> tuple[Minimum, ...]:
     Returns
     -------
     tuple of Minimum
-        Different ones; at least one.
+        Different ones; at least one. Of minima that are equally low the one nearest to an isotropic fabric comes first.
 
     Notes
     -----
@@ -80,8 +83,15 @@ def minima(problem: Problem) -> tuple[Minimum, ...]:
                 break
         else:
             found.append(Minimum(ends[place], float(heights[place])))
-    found[0] = _polished(problem, found[0])
-    return tuple(found)
+    lowest = [one for one in found if one.chi_square - found[0].chi_square < EQUAL]
+    lowest.sort(key=lambda one: _anisotropy(problem, one))
+    return (_polished(problem, lowest[0]), *lowest[1:], *found[len(lowest):])
+
+
+def _anisotropy(problem: Problem, minimum: Minimum) -> float:
+    """How far the fabric of a minimum is from an isotropic one."""
+    return sum(float(value) ** 2 for name, value in zip(problem.unknowns, minimum.unknowns, strict=False)
+               if name in ("D33", "Dr33"))
 
 
 def _polished(problem: Problem, minimum: Minimum) -> Minimum:

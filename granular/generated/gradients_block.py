@@ -110,6 +110,8 @@ def constant_rows(D33: Array, Dr33: Array, nu: Array, out: Array) -> int:
     """
     rows = out.reshape(-1, 36)
     with np.errstate(all="ignore"):  # what is not served may be anything
+        complement = 2 - nu
+        over_complement = 1/complement
         zero0 = 11/4
         zero1 = 11
         zero2 = -11/2
@@ -149,8 +151,8 @@ def constant_rows(D33: Array, Dr33: Array, nu: Array, out: Array) -> int:
         sum2_D33 = rate2*square0 + rate3*square1 + rate4*square2
         sum2_Dr33 = density2*square0_Dr33 + density3*square1_Dr33 + density4*square2_Dr33
         served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
-        one_minus_lam = np.where(served, nu/(2 - nu), np.nan)
-        one_minus_lam_nu = (one_minus_lam + 1)**2/2
+        one_minus_lam = np.where(served, nu*over_complement, np.nan)
+        one_minus_lam_nu = 2*over_complement*over_complement
         lam = 1 - one_minus_lam
         lam_nu = -one_minus_lam_nu
         four_r1 = 4*sum1

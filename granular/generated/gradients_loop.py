@@ -70,6 +70,8 @@ def constant_rows(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) ->
         D33 = all_D33[i]
         Dr33 = all_Dr33[i]
         nu = all_nu[i]
+        complement = 2 - nu
+        over_complement = 1/complement
         shifted0 = D33 - zero0
         shifted1 = D33 - zero1
         shifted2 = D33 - zero2
@@ -100,8 +102,8 @@ def constant_rows(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) ->
         sum2_Dr33 = density2*square0_Dr33 + density3*square1_Dr33 + density4*square2_Dr33
         served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
         unserved += not served
-        one_minus_lam = nu/(2 - nu) if served else np.nan
-        one_minus_lam_nu = (one_minus_lam + 1)**2/2
+        one_minus_lam = nu*over_complement if served else np.nan
+        one_minus_lam_nu = 2*over_complement*over_complement
         lam = 1 - one_minus_lam
         lam_nu = -one_minus_lam_nu
         four_r1 = 4*sum1

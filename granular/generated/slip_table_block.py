@@ -95,7 +95,7 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
     nu : (n,) array [-]
         Poisson's ratio of the grain material.
     out : (6 n,) array [-]
-        sum0, sum1, sum2, level, v, one_minus_lam of each element in turn, NaN for those that are not served.
+        sum0, sum1, sum2, level, v, one_minus_lam, each for all elements, NaN for those that are not served.
 
     Returns
     -------
@@ -104,7 +104,7 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
 
     Operations: 347.
     """
-    rows = out.reshape(-1, 6)
+    rows = out.reshape(6, -1)
     with np.errstate(all="ignore"):  # what is not served may be anything
         third = 1/3
         unit = 1/443520
@@ -136,14 +136,14 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         reciprocal = 1/(complement*roots)
         over_roots = complement*reciprocal
         over_complement = reciprocal*roots
-        rows[:, 5] = nu*over_complement
-        one_minus_lam = rows[:, 5]
+        rows[5] = nu*over_complement
+        one_minus_lam = rows[5]
         lam = 1 - one_minus_lam
         served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
         level = np.where(served, roots*unit, np.nan)
-        rows[:, 3] = level
-        rows[:, 4] = over_roots*(-root_a + root_c)
-        v = rows[:, 4]
+        rows[3] = level
+        rows[4] = over_roots*(-root_a + root_c)
+        v = rows[4]
         f0, f1, f2, f3, f4, f5 = polynomials(CUBIC, v)
         e0 = 2 - D33
         e1 = 2*D33 + 2
@@ -160,7 +160,7 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         square0 = level_w0*w0
         square1 = level_w0*twice_w1
         square2 = level_half_w1*twice_w1
-        rows[:, 0] = density0*square0 + density1*square1 + density2*square2
-        rows[:, 1] = density1*square0 + density2*square1 + density3*square2
-        rows[:, 2] = density2*square0 + density3*square1 + density4*square2
+        rows[0] = density0*square0 + density1*square1 + density2*square2
+        rows[1] = density1*square0 + density2*square1 + density3*square2
+        rows[2] = density2*square0 + density3*square1 + density4*square2
     return int(served.size - np.count_nonzero(served))

@@ -32,7 +32,7 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
     all_nu : (n,) array [-]
         Poisson's ratio of the grain material.
     out : (6 n,) array [-]
-        sum0, sum1, sum2, level, v, one_minus_lam of each element in turn, NaN for those that are not served.
+        sum0, sum1, sum2, level, v, one_minus_lam, each for all elements, NaN for those that are not served.
 
     Returns
     -------
@@ -65,7 +65,12 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
         some_Dr33 = all_Dr33[start:stop]
         some_SR = all_SR[start:stop]
         some_nu = all_nu[start:stop]
-        some_out = out[6*start:6*stop]
+        some_sum0 = out[0*all_D33.size:1*all_D33.size][start:stop]
+        some_sum1 = out[1*all_D33.size:2*all_D33.size][start:stop]
+        some_sum2 = out[2*all_D33.size:3*all_D33.size][start:stop]
+        some_level = out[3*all_D33.size:4*all_D33.size][start:stop]
+        some_v = out[4*all_D33.size:5*all_D33.size][start:stop]
+        some_one_minus_lam = out[5*all_D33.size:6*all_D33.size][start:stop]
         for i in range(stop - start):
             D33 = some_D33[i]
             SR = some_SR[i]
@@ -185,10 +190,9 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
             v = over_roots*(-root_a + root_c)
             keep_level[i] = level
             keep_v[i] = v
-            place = 6*i
-            some_out[place + 3] = level
-            some_out[place + 4] = v
-            some_out[place + 5] = one_minus_lam
+            some_level[i] = level
+            some_v[i] = v
+            some_one_minus_lam[i] = one_minus_lam
         half = (stop - start + 1)//2
         for i in range(half):
             v = keep_v[i]
@@ -469,8 +473,7 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
             sum0 = density0*square0 + density1*square1 + density2*square2
             sum1 = density1*square0 + density2*square1 + density3*square2
             sum2 = density2*square0 + density3*square1 + density4*square2
-            place = 6*i
-            some_out[place + 0] = sum0
-            some_out[place + 1] = sum1
-            some_out[place + 2] = sum2
+            some_sum0[i] = sum0
+            some_sum1[i] = sum1
+            some_sum2[i] = sum2
     return unserved

@@ -102,7 +102,7 @@ def test_both_forms_hold_the_same_operations(name: str) -> None:
 def test_the_contrast_is_kept_between_passes() -> None:
     """A value that a later pass needs and that is not kept would be one of another element."""
     text = loop_module(derivation("kinetic"))
-    for name in (a.name, v.name, "factor", "f0", "f5"):
+    for name in (a.name, v.name, "level", "f0", "f5"):
         assert f"keep_{name}[i] = {name}\n" in text
         assert f"{name} = keep_{name}[i]\n" in text
     assert "keep_third" not in text

@@ -9,7 +9,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from derivations.emit.panels import SIZES, panel_module
+from derivations.emit.panels import FIRST, SIZES, panel_module
 from derivations.slip_table import even_part, onset_part, singular_moments
 from derivations.symbols import eta, margin, onset_strength
 from granular.generated import panel_rows
@@ -106,13 +106,22 @@ def test_rows_of_panels(size: int) -> None:
 
         size = 1
 
-    values = [Column([sp.Rational(k + 1)]) for k in range(3)]
-    getattr(panel_rows, f"add_row_{size}")(Rows(), 2, Column([x]), Column([y]), *values)
+    class Values(list[Column]):
+        """Rows of one element each, indexed like an array; a row is itself whatever part of it is asked for."""
+
+        def __getitem__(self, place: tuple[int, slice]) -> Column:
+            return list.__getitem__(self, place[0])
+
+    values = Values(Column([sp.Rational(k + 1)]) for k in range(3))
+    expected = [sp.Integer(0)] * 3
     for k in range(3):
-        expected = sp.Integer(0)
         for coefficient in rows[k][2:]:
-            expected = expected * x + coefficient
-        assert values[k][0] == (k + 1) * y + expected
+            expected[k] = expected[k] * x + coefficient
+    getattr(panel_rows, f"add_row_{size}")(Rows(), 0, 2, Column([x]), Column([y]), values, 0, 1)
+    assert [values[k, :][0] for k in range(3)] == [(k + 1) * y + expected[k] for k in range(3)]
+    if size in FIRST:
+        getattr(panel_rows, f"set_row_{size}")(Rows(), 0, 2, Column([x]), values, 0, 1)
+        assert [values[k, :][0] for k in range(3)] == expected
 
 
 def test_emitting_rows_twice_gives_the_same_text() -> None:
