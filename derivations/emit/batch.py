@@ -58,6 +58,9 @@ PASS, GAP = 64, 8
 """Elements that one pass of a loop goes over, and the numbers between what is kept of them: it all stays in the nearest
 cache, and no two rows of it are a power of two apart."""
 
+SHORT = 8
+"""Terms up to which even and odd powers of a polynomial are summed apart: there are too few polynomials beside it."""
+
 SIDE_BY_SIDE = 6
 """Polynomials of two elements that a processor has registers for: 12 chains, none of which waits for another."""
 
@@ -73,10 +76,12 @@ def loop_module(derivation: Derivation) -> str:
 
 def block_module(derivation: Derivation) -> str:
     """Return the text of ``granular/generated/NAME_block.py``."""
-    groups = {_table_name(group): group for one in derivation.batch for group in _polynomial_groups(one)}
-    bodies = [_block(one) for one in derivation.batch]
+    tables = _tables(derivation)
+    groups = {_table_name(group): group for one in derivation.batch for group in _polynomial_groups(one)
+              if not _is_short(tables[_called(group[0][1])])}
+    bodies = [_block(one, tables) for one in derivation.batch]
     parts = [_header(derivation, "blocks of elements at once"), _imports(bodies)]
-    parts += [_table(name, [_tables(derivation)[_called(e)] for _, e in group]) for name, group in groups.items()]
+    parts += [_table(name, [tables[_called(e)] for _, e in group]) for name, group in groups.items()]
     return "\n".join(parts) + "\n\n" + "\n\n".join(
         [*([POLYNOMIALS] if groups else []), *bodies])
 
@@ -211,7 +216,11 @@ def _pass(one: BatchFunction, members: list[Assignment], kept: set[str], tables:
     lines += [f"{name} = keep_{name}[i]" for name in sorted((needed & kept) - own)]
     for polynomials, run in groupby(members, lambda assignment: _is_polynomial(assignment[1])):
         if polynomials:
-            lines += _horner(list(run), tables)
+            members_of_run = list(run)
+            short = [one for one in members_of_run if _is_short(tables[_called(one[1])])]
+            lines += [line for together in zip(*(_apart(symbol, e, tables[_called(e)]) for symbol, e in short),
+                                               strict=True) for line in together]
+            lines += _horner([one for one in members_of_run if one not in short], tables)
             continue
         for symbol, expression in run:
             if symbol == one.gate:
@@ -258,10 +267,25 @@ def _stored(one: BatchFunction, own: set[str]) -> list[tuple[int, sp.Symbol]]:
             if r.name in own or (r.name in numbers and returns[0].name in own)]
 
 
+def _is_short(series: TruncatedSeries) -> bool:
+    return len(series.coefficients) <= SHORT
+
+
+def _apart(symbol: sp.Symbol, expression: sp.Expr, series: TruncatedSeries) -> list[str]:
+    """A short polynomial, its even and odd powers apart, each by Horner's rule in the square of the variable."""
+    name, variable, square = symbol.name, expression.args[1].name, f"{symbol.name}_of"
+    columns = [[correctly_rounded(c) for c in reversed(series.coefficients[first::2])] for first in (0, 1)]
+    lines = [f"{square} = {variable}*{variable}"]
+    for part, column in zip(("even", "odd"), columns, strict=True):
+        lines.append(f"{name}_{part} = {column[0]}")
+        lines += [f"{name}_{part} = {name}_{part}*{square} + {number}" for number in column[1:]]
+    return [*lines, f"{name} = {name}_odd*{variable} + {name}_even"]
+
+
 def _horner(run: list[Assignment], tables: dict[str, TruncatedSeries]) -> list[str]:
     """Polynomials side by side, a term of each in turn: none has to wait for the one before."""
     columns = [[correctly_rounded(c) for c in reversed(tables[_called(e)].coefficients)] for _, e in run]
-    longest = max(map(len, columns))
+    longest = max(map(len, columns), default=0)
     lines = []
     for term in range(longest):
         for (symbol, expression), column in zip(run, columns, strict=True):
@@ -295,13 +319,16 @@ def _table(name: str, members: list[TruncatedSeries]) -> str:
     return f"{name} = np.array([\n" + "\n".join(f"    [{', '.join(row)}]," for row in rows) + "\n])\n"
 
 
-def _block(one: BatchFunction) -> str:
+def _block(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
     lines = []
     columns = {r: f"rows[{k}]" if one.apart else f"rows[:, {k}]" for k, r in enumerate(one.function.returns)}
     groups, read = iter(_polynomial_groups(one)), _needed(one, list(one.function.assignments))
     for key, members in groupby(one.function.assignments, _group_key):
         if key is not None:
             group = next(groups)
+            if _is_short(tables[_called(group[0][1])]):
+                lines += [line for symbol, e in group for line in _apart(symbol, e, tables[_called(e)])]
+                continue
             names = ", ".join(symbol.name for symbol, _ in group) + ("," if len(group) == 1 else "")
             lines.append(f"{names} = polynomials({_table_name(group)}, {key.name})")
             continue
