@@ -9,10 +9,10 @@ from __future__ import annotations
 TOGETHER = 3
 """Polynomials in one loop."""
 
-SIZES = (4, 7, 10, 12, 14)
+SIZES = (4, 7, 10, 11, 12, 13)
 """Numbers of coefficients for which a loop is emitted."""
 
-FIRST = (4, 12)
+FIRST = (4, 11)
 """Those with which a sum of rows begins."""
 
 HEADER = '''\

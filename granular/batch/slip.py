@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from granular.batch.slip_tables import Table
 
 RELATIVE_ERROR = 1e-12
-"""Bound of every component that is not subnormal [-]; the worst met in the tests is a fifth of it."""
+"""Bound of every component that is not subnormal [-]; the worst met in the tests is half of it."""
 
 ONE_FROM = 1 << 13
 """Elements from which a table for one friction is made: it takes as long as some five thousand of them."""

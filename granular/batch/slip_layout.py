@@ -56,11 +56,12 @@ OCTAVES = 12
 """Octaves of the margin where friction varies: up to kappa = 65, where friction is below 0.02 at the end of the
 domain."""
 
-TERMS = 12
-"""Coefficients of a polynomial for one friction, in quarters of octaves: at most 4e-14 of the value is left out."""
+TERMS = 11
+"""Coefficients of a polynomial for one friction, in quarters of octaves: at most 5e-13 of the value is left out, and far
+less where friction is not near the largest that is served."""
 
-ROWS = (14, 14, 12, 12, 12, 10, 10, 7, 7, 4, 4)
-"""Powers of the margin that go with each power of the contrast, in halves of octaves: 2e-13 is left out."""
+ROWS = (13, 13, 12, 11, 11, 10, 10, 7, 7, 4, 4)
+"""Powers of the margin that go with each power of the contrast, in halves of octaves: 4e-13 is left out."""
 
 HALVES, QUARTERS = 51, 50
 """Bits of a double behind those that tell halves and quarters of octaves apart."""

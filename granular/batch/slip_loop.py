@@ -27,10 +27,11 @@ from granular.generated.panel_rows import (
     add_row_4,
     add_row_7,
     add_row_10,
+    add_row_11,
     add_row_12,
-    add_row_14,
+    add_row_13,
     set_row_4,
-    set_row_12,
+    set_row_11,
 )
 from granular.generated.slip_table_array import onset_part, slip_components
 from granular.generated.slip_table_loop import slip_state
@@ -104,7 +105,7 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
                 if varies:
                     sum_rows(coefficients[one], k, variable[first:last], other[first:last], lost, first, last)
                 else:
-                    set_row_12(coefficients[one], k, 0, variable[first:last], lost, first, last)
+                    set_row_11(coefficients[one], k, 0, variable[first:last], lost, first, last)
         done = 0
         for first in range(0, size, PART):
             last = min(first + PART, size)
@@ -140,14 +141,15 @@ def sum_rows(rows: Array, k: int, variable: Array, other: Array, values: Array, 
         add_row_7(rows, k, at, variable, other, values, first, last)
     for at in (22, 32):
         add_row_10(rows, k, at, variable, other, values, first, last)
-    for at in (42, 54, 66):
-        add_row_12(rows, k, at, variable, other, values, first, last)
-    for at in (78, 92):
-        add_row_14(rows, k, at, variable, other, values, first, last)
+    for at in (42, 53):
+        add_row_11(rows, k, at, variable, other, values, first, last)
+    add_row_12(rows, k, 64, variable, other, values, first, last)
+    for at in (76, 89):
+        add_row_13(rows, k, at, variable, other, values, first, last)
 
 
 HELPERS: tuple[Callable[..., object], ...] = (
-    *OF_SHARES, onset_part, slip_components, slip_state, set_row_4, set_row_12, add_row_4, add_row_7,
-    add_row_10, add_row_12, add_row_14,
+    *OF_SHARES, onset_part, slip_components, slip_state, set_row_4, set_row_11, add_row_4, add_row_7,
+    add_row_10, add_row_11, add_row_12, add_row_13,
     shares, margin_panels, contrast_panels, sort_by_panel, in_order, take_onset_out, write_components, sum_rows)
 """What a compiler has to know before it compiles a loop."""

@@ -91,7 +91,7 @@ def friction_table(friction: float) -> Table:
 
     Notes
     -----
-    Accuracy: 4e-14 of a value. Source: interpolation of :func:`granular.batch.slip_nodes.smooth_values` at Chebyshev
+    Accuracy: 5e-13 of a value. Source: interpolation of :func:`granular.batch.slip_nodes.smooth_values` at Chebyshev
     nodes.
     """
     side = np.array(intervals(octaves_for(friction), 4))
@@ -127,7 +127,7 @@ def general_table() -> Table:
 
     Notes
     -----
-    Accuracy: 2e-13 of a value. Source: interpolation of :func:`granular.batch.slip_nodes.smooth_values` at Chebyshev
+    Accuracy: 4e-13 of a value. Source: interpolation of :func:`granular.batch.slip_nodes.smooth_values` at Chebyshev
     nodes; made once in a process, in the time of some 150,000 sums.
     """
     side = intervals(OCTAVES, 2)
