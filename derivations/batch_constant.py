@@ -1,31 +1,26 @@
 """Constant contact stiffness as it is evaluated for very many fabrics: the closed form with one division.
 
-The density has rank two, so that E W^2 is a form of degree three in s and y. The density is averaged first: its
-integrals are linear in D33 and have their zero outside the domain. The squares of the branch length come after it, and
-what is common to all components is in the constants, so that no operation is left that only scales.
+The density has rank two, so that E W^2 is a form of degree three in s and y. The density is averaged first, and the
+squares of the branch length weight its integrals: what is common to all components is in these, so that no operation is
+left that only scales. Contacts that follow their force have other integrals and the same arithmetic, which gives the
+same bits where all forces are equal.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 
 import sympy as sp
 
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.sphere import axial_moment
-from derivations.symbols import D33, POSITIVE_MOMENTS, STIFFNESS, Dr33, lam, latex, nu, one_minus_lam, w0
+from derivations.symbols import D33, POSITIVE_MOMENTS, STIFFNESS, Dr33, e0, e1, lam, latex, nu, one_minus_lam, w0
 
 Assignments = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
 DENSITY = sp.symbols("density0:5", nonnegative=True)
-"""Integrals of s^(4-j) y^j times the density, up to a factor."""
-
-SHIFTED = sp.symbols("shifted0:5", real=True)
-"""The same up to a number each: D33 less the place of their zero."""
-
-ZEROS = sp.symbols("zero0:5", real=True)
-RATES = sp.symbols("rate0:5", real=True)
-"""These places and numbers."""
+"""Integrals of s^(4-j) y^j times twice the density."""
 
 SQUARES = sp.symbols("square0:3", nonnegative=True)
 """Coefficients of 4 W^2 in s^2, s y, y^2."""
@@ -33,6 +28,7 @@ SQUARES = sp.symbols("square0:3", nonnegative=True)
 SUMS = sp.symbols("sum0:3", nonnegative=True)
 """Moments of E W^2 over 8: what the components are made of."""
 
+level, complement, over_complement = sp.symbols("level complement over_complement", positive=True)
 half_w1, twice_w1 = sp.symbols("half_w1 twice_w1", nonnegative=True)
 four_r1, both, later, along = sp.symbols("four_r1 both later along", nonnegative=True)
 
@@ -55,22 +51,18 @@ def integer_moment(m: int) -> sp.Integer:
     return sp.Integer(axial_moment(5 - m, m) * DENOMINATOR)
 
 
-def density_assignments() -> Assignments:
-    """Integrals of the density: a number times D33 less the zero, which lies outside the domain."""
-    averages = [sp.expand((2 - D33) * integer_moment(j) + (2 + 2 * D33) * integer_moment(j + 1)) for j in range(5)]
-    rates = [average.coeff(D33) for average in averages]
-    zeros = [-average.coeff(D33, 0) / rate for average, rate in zip(averages, rates, strict=True)]
-    return (*zip(ZEROS, zeros, strict=True), *((one, rate / SCALE) for one, rate in zip(RATES, rates, strict=True)),
-            *((one, D33 - zero) for one, zero in zip(SHIFTED, ZEROS, strict=True)),
-            *((one, rate * shifted) for one, rate, shifted in zip(DENSITY, RATES, SHIFTED, strict=True)))
+def density_assignments(integrals: Sequence[sp.Expr], density: tuple[sp.Symbol, ...]) -> Assignments:
+    """Integrals of 2 E from integrals without it, which have one power of s or y more: terms of one sign."""
+    return ((e0, 2 - D33), (e1, 2 + 2 * D33),
+            *((one, e0 * integrals[j] + e1 * integrals[j + 1]) for j, one in enumerate(density)))
 
 
-def square_assignments(level: sp.Symbol | None = None) -> Assignments:
+def square_assignments(level: sp.Symbol) -> Assignments:
     """From the branch lengths to the coefficients of 4 W^2, times a level."""
-    at_equator, at_pole = sp.symbols("level_w0 level_half_w1") if level else (w0, half_w1)
-    scaled = ((at_equator, level * w0), (at_pole, level * half_w1)) if level else ()
-    return ((w0, 2 - Dr33), (half_w1, 1 + Dr33), (twice_w1, 4 * half_w1), *scaled,
-            (SQUARES[0], at_equator * w0), (SQUARES[1], at_equator * twice_w1), (SQUARES[2], at_pole * twice_w1))
+    level_w0, level_half_w1 = sp.symbols("level_w0 level_half_w1", nonnegative=True)
+    return ((w0, 2 - Dr33), (half_w1, 1 + Dr33), (twice_w1, 4 * half_w1),
+            (level_w0, level * w0), (level_half_w1, level * half_w1),
+            (SQUARES[0], level_w0 * w0), (SQUARES[1], level_w0 * twice_w1), (SQUARES[2], level_half_w1 * twice_w1))
 
 
 def sum_assignments(sums: tuple[sp.Symbol, ...], density: tuple[sp.Symbol, ...]) -> Assignments:
@@ -81,7 +73,14 @@ def sum_assignments(sums: tuple[sp.Symbol, ...], density: tuple[sp.Symbol, ...])
 
 def ratio_assignments() -> Assignments:
     """Tangential over normal stiffness and what is left to one, of which the second keeps its digits near nu = 0."""
-    return (one_minus_lam, nu / (2 - nu)), (lam, 1 - one_minus_lam)
+    return ((complement, 2 - nu), (over_complement, 1 / complement), (one_minus_lam, nu * over_complement),
+            (lam, 1 - one_minus_lam))
+
+
+def fabric_assignments() -> Assignments:
+    """From the fabric to the sums of contacts that are all equally stiff."""
+    return ((level, sp.Integer(1) / SCALE), *density_assignments([integer_moment(j) for j in range(6)], DENSITY),
+            *square_assignments(level), *sum_assignments(SUMS, DENSITY))
 
 
 def component_assignments() -> Assignments:
@@ -103,8 +102,7 @@ def constant_function() -> Function:
     return Function(
         "kinematic_constant", "Six components over (M/V) l_e^2 k_n for contacts that are all equally stiff.",
         (D33, Dr33, nu),
-        (*density_assignments(), *square_assignments(), *sum_assignments(SUMS, DENSITY), *ratio_assignments(),
-         *component_assignments()), STIFFNESS, unit="-")
+        (*fabric_assignments(), *ratio_assignments(), *component_assignments()), STIFFNESS, unit="-")
 
 
 @cache
@@ -126,22 +124,20 @@ def steps(closed: dict[sp.Symbol, sp.Expr], components: tuple[sp.Expr, ...]) -> 
 
     ``closed`` gives the positive moments in the fabric, ``components`` the components in moments and nu.
     """
-    known = substituted((*density_assignments(), *square_assignments(), *sum_assignments(SUMS, DENSITY)))
+    known = substituted(fabric_assignments())
     to_sums = {p: 8 * r for p, r in zip(POSITIVE_MOMENTS, SUMS, strict=True)}
     found = substituted((*ratio_assignments(), *component_assignments()))
-    zeros = [known[zero] for zero in ZEROS]
-    outside = sp.Union(sp.Interval.open(-sp.oo, -1), sp.Interval.open(2, sp.oo))
     return (
         Step("For very many fabrics at once",
-             "Without the coefficient of rank four the density is averaged first: its integrals are linear in "
-             rf"$D_{{33}}$ with the zeros ${', '.join(latex(zero) for zero in zeros)}$, outside "
-             r"$-1 \le D_{33} \le 2$, so that no digit is lost. The squares of the branch length weight them; one "
+             "Without the coefficient of rank four the density is averaged first, with integer weights over one "
+             "denominator. The squares of the branch length weight its integrals, and all terms have one sign. One "
              r"division is left, that in $\bar\lambda$.",
-             (rf"{latex(POSITIVE_MOMENTS[0])} = 2\left[(2-D^r_{{33}})^2 d_0 + 4(2-D^r_{{33}})(1+D^r_{{33}})\,d_1 + "
-              r"4(1+D^r_{33})^2 d_2\right],\qquad d_j = \frac{1}{8}\int_0^1 s^{4-j}x^{2j}E\,\mathrm{d}x",),
+             (rf"{latex(POSITIVE_MOMENTS[0])} = (2-D^r_{{33}})^2 d_0 + 4(2-D^r_{{33}})(1+D^r_{{33}})\,d_1 + "
+              r"4(1+D^r_{33})^2 d_2,",
+              r"d_j = \frac14\int_0^1 s^{4-j}x^{2j}E\,\mathrm{d}x,\qquad "
+              rf"{8 * DENOMINATOR}\,d_0 = {latex(dict(fabric_assignments())[DENSITY[0]])}",),
              (*(Claim(sp.expand(8 * known[total]), sp.expand(closed[p]))
                 for total, p in zip(SUMS, POSITIVE_MOMENTS, strict=True)),
-              *(Claim(sp.FiniteSet(zero).intersect(outside), sp.FiniteSet(zero)) for zero in zeros),
               *(Claim(sp.cancel(found[symbol] - expression.xreplace(to_sums)), sp.Integer(0))
                 for symbol, expression in zip(STIFFNESS, components, strict=True)))),
     )

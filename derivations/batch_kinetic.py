@@ -19,8 +19,12 @@ from derivations.batch_constant import (
     SCALE,
     SUMS,
     Assignments,
+    complement,
     component_assignments,
+    density_assignments,
     domain,
+    level,
+    over_complement,
     square_assignments,
     sum_assignments,
 )
@@ -28,7 +32,7 @@ from derivations.economised import economise, rationals
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.series import TruncatedSeries
 from derivations.sphere import axial_mean, axial_moment
-from derivations.symbols import D33, SR, STIFFNESS, Dr33, a, c, e0, e1, lam, latex, nu, one_minus_lam, s, v, y
+from derivations.symbols import D33, SR, STIFFNESS, Dr33, a, c, lam, latex, nu, one_minus_lam, s, v, y
 
 THIRD = sp.Rational(1, 3)
 
@@ -65,8 +69,8 @@ FORCE_INTEGRALS = sp.symbols("f0:6", positive=True)
 """DENOMINATOR times the integrals of s^(5-m) y^m ((1-v)^3 s + (1+v)^3 y)^(1/3)."""
 
 third, pole_part, equator_part, forces = sp.symbols("third pole_part equator_part forces", positive=True)
-root_a, root_c, roots, complement, reciprocal = sp.symbols("root_a root_c roots complement reciprocal", positive=True)
-over_complement, over_roots, unit, level = sp.symbols("over_complement over_roots unit level", positive=True)
+root_a, root_c, roots, reciprocal = sp.symbols("root_a root_c roots reciprocal", positive=True)
+over_roots, unit = sp.symbols("over_roots unit", positive=True)
 
 
 @cache
@@ -146,12 +150,6 @@ def root_assignments(of: sp.Symbol, root: sp.Symbol) -> Assignments:
     )
 
 
-def density_assignments(integrals: tuple[sp.Symbol, ...], density: tuple[sp.Symbol, ...]) -> Assignments:
-    """Integrals of 2 E from integrals without it, which have one power of s or y less."""
-    return ((e0, 2 - D33), (e1, 2 + 2 * D33),
-            *((one, e0 * integrals[j] + e1 * integrals[j + 1]) for j, one in enumerate(density)))
-
-
 def sums_of_forces() -> Assignments:
     """From the assembly to the sums of the normal stiffness, and to the ratio of the stiffnesses on the way."""
     polynomial = sp.Function("polynomial")
@@ -223,9 +221,9 @@ def steps() -> tuple[Step, ...]:
               Claim(sp.simplify(((root_a + root_c) / 2 * (1 + contrast)) ** 3), root_c**3))),
         Step("Economised polynomials",
              "A density of rank two needs six integrals. Their exact Taylor polynomials are written in Chebyshev "
-             rf"polynomials of the range $1/9 \le c/a \le 6$ and cut where the rest is below $2^{{-{PRECISION_BITS}}}$ of the "
-             "value, "
-             rf"with the integers of constant stiffness kept at $\bar v = 0$. They have degree {counts}.",
+             r"polynomials of the range $1/9 \le c/a \le 6$ and cut where the rest is below "
+             rf"$2^{{-{PRECISION_BITS}}}$ of the value, with the integers of constant stiffness kept at $\bar v = 0$. "
+             rf"They have degree {counts}.",
              (r"F_m(\bar v) = " + f"{DENOMINATOR}" + r"\int_0^1 s^{5-m}x^{2m}"
               r"\left[(1-\bar v)^3 s + (1+\bar v)^3 x^2\right]^{1/3}\mathrm{d}x,\qquad F_m(0) = "
               + ",\\ ".join(str(series(m).coefficients[0]) for m in range(6)),),
@@ -234,8 +232,8 @@ def steps() -> tuple[Step, ...]:
         Step("Cube roots without division",
              r"A polynomial $z$ in $x - 1$ approximates $x^{-1/3}$ so that $r = 1 - xz^3$ stays within "
              rf"${latex(START_ERROR)}$ on the range of the forces: exact counting finds no crossing of either bound. "
-             r"The binomial series in $r$, economised on that range, then leaves an error below $2^{-28}$, and Newton's "
-             r"rule for $x z^2$ squares it.",
+             r"The binomial series in $r$, economised on that range, then leaves an error below $2^{-28}$, and "
+             r"Newton's rule for $x z^2$ squares it.",
              (r"x^{-1/3} = z\,(1-r)^{-1/3} = z\left(1 + \tfrac13 r + \tfrac29 r^2 + \dots\right)",),
              (Claim(sp.Integer(_crossings(START_ERROR)), sp.Integer(0)),
               Claim(sp.Integer(_crossings(-START_ERROR)), sp.Integer(0)),

@@ -18,9 +18,13 @@ from derivations.batch_constant import (
     DENSITY,
     SCALE,
     SUMS,
+    complement,
     component_assignments,
     density_assignments,
     domain,
+    fabric_assignments,
+    level,
+    over_complement,
     square_assignments,
     sum_assignments,
 )
@@ -28,13 +32,10 @@ from derivations.batch_kinetic import (
     HIGH,
     LOW,
     PRECISION,
-    complement,
     contrast_moment,
     equator_part,
     force_series,
     forces,
-    level,
-    over_complement,
     over_roots,
     pole_part,
     reciprocal,
@@ -47,10 +48,9 @@ from derivations.batch_kinetic import (
     third,
     unit,
 )
-from derivations.batch_kinetic import density_assignments as density_of_integrals
 from derivations.economised import economise, rationals
 from derivations.forward import Assignments, Partials, slope_symbol, with_slopes
-from derivations.gradients_kinematic import FORCE_MOMENTS, WEIGHTED
+from derivations.gradients_kinematic import WEIGHTED
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.series import TruncatedSeries
 from derivations.sphere import axial_mean
@@ -106,8 +106,7 @@ def _closing(assignments: Assignments, arguments: tuple[sp.Symbol, ...],
 def constant_function() -> Function:
     """Emit components and slopes of one fabric whose contacts are all equally stiff."""
     assignments, returns = _closing(
-        (*density_assignments(), *square_assignments(), *sum_assignments(SUMS, DENSITY), *RATIO,
-         *component_assignments()), (D33, Dr33, nu), {one_minus_lam: SLOPE_OF_RATIO})
+        (*fabric_assignments(), *RATIO, *component_assignments()), (D33, Dr33, nu), {one_minus_lam: SLOPE_OF_RATIO})
     return Function(
         "constant_rows", "Six components over (M/V) l_e^2 k_n and their slopes, for contacts that are equally stiff.",
         (D33, Dr33, nu), ((complement, 2 - nu), (over_complement, 1 / complement), *assignments), returns, unit="-",
@@ -128,10 +127,10 @@ def kinetic_function() -> Function:
         (over_roots, complement * reciprocal), (over_complement, roots * reciprocal),
         (level, unit * over_roots * over_roots), (v, (root_c - root_a) * over_roots),
         *((g, polynomial(sp.Symbol(series(m).name), v)) for m, g in enumerate(INTEGRALS)),
-        *((L, level * g) for L, g in zip(FORCE_MOMENTS, INTEGRALS, strict=True)), (over_pole, forces * sp.Add(5, -D33)))
+        (over_pole, forces * sp.Add(5, -D33)))
     moments = tuple((total, a * WEIGHTED[k] + c * WEIGHTED[k + 1]) for k, total in enumerate(SUMS))
     carried, returns = _closing(
-        (*density_of_integrals(FORCE_MOMENTS, DENSITY_OF_FORCES), *square_assignments(),
+        (*density_assignments(INTEGRALS, DENSITY_OF_FORCES), *square_assignments(level),
          *sum_assignments(WEIGHTED, DENSITY_OF_FORCES), *moments, *RATIO, *component_assignments()),
         (D33, Dr33, SR, nu), _partials())
     slopes_of_forces = tuple((slope_symbol(force, variable), value) for force, by in _force_slopes().items()

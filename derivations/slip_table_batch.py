@@ -8,8 +8,16 @@ from functools import cache
 import sympy as sp
 
 from derivations import batch_kinetic
-from derivations.batch_constant import DENOMINATOR, SUMS, ratio_assignments, square_assignments, sum_assignments
-from derivations.batch_kinetic import density_assignments, level
+from derivations.batch_constant import (
+    DENOMINATOR,
+    SUMS,
+    density_assignments,
+    level,
+    ratio_assignments,
+    square_assignments,
+    substituted,
+    sum_assignments,
+)
 from derivations.kinetic_components import positive_components
 from derivations.record import BatchFunction, Claim, Function, Step
 from derivations.symbols import (
@@ -72,7 +80,7 @@ def batch() -> tuple[BatchFunction, ...]:
 
 def components_step() -> Step:
     """Show that the components are those of two weights again."""
-    ratio = dict(ratio_assignments())[one_minus_lam]
+    ratio = substituted(ratio_assignments())[one_minus_lam]
     found: dict[sp.Symbol, sp.Expr] = {one_minus_lam: ratio}
     assigned = [symbol for symbol, _ in component_function().assignments]
     for symbol, expression in component_function().assignments[assigned.index(LOST_SUMS[-1]) + 1:]:

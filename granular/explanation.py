@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from granular.routes.work import Work
     from granular.turning import Turning
 
-HEADINGS = ("effect", "simulated", "without it,\nchange up to", "evaluations\nwith/without", "why")
+HEADINGS = ("effect", "simulated", "relative change\nwithout it, up to", "evaluations\nwith/without", "why")
 """Columns of the table of effects; the reasons stand below it where a terminal is not wide."""
 
 NOTHING = "nothing"
@@ -135,7 +135,7 @@ class EffectTable:
 def _block(line: EffectLine) -> Iterator[str]:
     yield line.why
     if line.bound != NOTHING:
-        yield f"without it, change up to: {line.bound}"
+        yield f"relative change without it, up to: {line.bound}"
         yield f"evaluations with/without: {line.cost}"
 
 

@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     from granular.routes.work import Work
     from granular.waves import PhaseVelocities, Waves
 
-BOUND = {Hypothesis.KINEMATIC: "uniform strain, an upper bound", Hypothesis.STATIC: "uniform stress, a lower estimate"}
+BOUND = {Hypothesis.KINEMATIC: "uniform strain, an upper bound of the energy",
+         Hypothesis.STATIC: "uniform stress, a lower estimate"}
 """What each hypothesis means for the result."""
 
 CONTACTS = {PER_DIAMETER_CUBED: "per (2 r_e)^3, the cube of one grain diameter", PER_CUBIC_METRE: "per m^3"}

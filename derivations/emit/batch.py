@@ -274,12 +274,14 @@ def _is_short(series: TruncatedSeries) -> bool:
 def _apart(symbol: sp.Symbol, expression: sp.Expr, series: TruncatedSeries) -> list[str]:
     """A short polynomial, its even and odd powers apart, each by Horner's rule in the square of the variable."""
     name, variable, square = symbol.name, expression.args[1].name, f"{symbol.name}_of"
-    columns = [[correctly_rounded(c) for c in reversed(series.coefficients[first::2])] for first in (0, 1)]
-    lines = [f"{square} = {variable}*{variable}"]
-    for part, column in zip(("even", "odd"), columns, strict=True):
-        lines.append(f"{name}_{part} = {column[0]}")
-        lines += [f"{name}_{part} = {name}_{part}*{square} + {number}" for number in column[1:]]
-    return [*lines, f"{name} = {name}_odd*{variable} + {name}_even"]
+    lines, parts = [f"{square} = {variable}*{variable}"], []
+    for part, first in (("even", 0), ("odd", 1)):
+        total, *others = [correctly_rounded(c) for c in reversed(series.coefficients[first::2])]
+        for number in others:
+            lines.append(f"{name}_{part} = {total}*{square} + {number}")
+            total = f"{name}_{part}"
+        parts.append(total)
+    return [*lines, f"{name} = {parts[1]}*{variable} + {parts[0]}"]
 
 
 def _horner(run: list[Assignment], tables: dict[str, TruncatedSeries]) -> list[str]:

@@ -57,8 +57,8 @@ OCTAVES = 12
 domain."""
 
 TERMS = 11
-"""Coefficients of a polynomial for one friction, in quarters of octaves: at most 5e-13 of the value is left out, and far
-less where friction is not near the largest that is served."""
+"""Coefficients of a polynomial for one friction, in quarters of octaves: at most 5e-13 of the value is left out, and
+that only near the largest friction that is served."""
 
 ROWS = (13, 13, 12, 11, 11, 10, 10, 7, 7, 4, 4)
 """Powers of the margin that go with each power of the contrast, in halves of octaves: 4e-13 is left out."""

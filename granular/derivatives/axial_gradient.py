@@ -108,7 +108,7 @@ def axial_gradient(
     (static: delta^(-5/6)). Accuracy: 1e-13 of the larger of the slope and the largest component, as long as stress
     ratio, branch lengths and onset are not closer than 1e-3 to where a slope becomes infinite; beside that, of the
     largest slope of the element. Cost over that of the stiffness, values included: 1 to 4 with contact forces, 1.5 with
-    slip, 2.5 for static compliances; 4 to 9 for equal contacts, where next to nothing is computed and 36 numbers are
+    slip, 2.5 for static compliances; 3 to 7 for equal contacts, where next to nothing is computed and 36 numbers are
     written in place of 6.
     Source: eqs (4), (7), and Figure 1(b) with (20)-(23), differentiated in ``derivations.gradients``.
 

@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``gradients``; do not edit.
 Source: (7), (20), (21), (23), Figure 1(b) of Pan & Dong (1999).
 Domain: constant_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5; kinetic_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
-Operations: 769 (316 in the outputs as derived).
+Operations: 780 (316 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -87,49 +87,40 @@ def constant_rows(D33: Array, Dr33: Array, nu: Array, out: Array) -> int:
     unserved : int
         How many elements are not served.
 
-    Operations: 146.
+    Operations: 159.
     """
     rows = out.reshape(-1, 36)
     with np.errstate(all="ignore"):  # what is not served may be anything
         complement = 2 - nu
         over_complement = 1/complement
-        zero0 = 11/4
-        zero1 = 11
-        zero2 = -11/2
-        zero3 = -11/5
-        zero4 = -11/8
-        rate0 = -16/3465
-        rate1 = -1/6930
-        rate2 = 1/6930
-        rate3 = 5/11088
-        rate4 = 1/396
-        shifted0 = D33 - zero0
-        shifted1 = D33 - zero1
-        shifted2 = D33 - zero2
-        shifted3 = D33 - zero3
-        shifted4 = D33 - zero4
-        density0 = rate0*shifted0
-        density1 = rate1*shifted1
-        density2 = rate2*shifted2
-        density3 = rate3*shifted3
-        density4 = rate4*shifted4
+        level = 1/221760
+        e0 = 2 - D33
+        e1 = 2*D33 + 2
+        density0 = 1280*e0 + 128*e1
+        density1 = 128*e0 + 48*e1
+        density2 = 48*e0 + 40*e1
+        density3 = 40*e0 + 70*e1
+        density4 = 70*e0 + 315*e1
         w0 = 2 - Dr33
         half_w1 = Dr33 + 1
         twice_w1 = 4*half_w1
-        square0 = w0*w0
-        square0_Dr33 = -2*w0
-        square1 = twice_w1*w0
-        square1_Dr33 = -twice_w1 + 4*w0
-        square2 = half_w1*twice_w1
-        square2_Dr33 = 4*half_w1 + twice_w1
+        level_w0 = level*w0
+        level_w0_Dr33 = -level
+        level_half_w1 = half_w1*level
+        square0 = level_w0*w0
+        square0_Dr33 = -level_w0 + level_w0_Dr33*w0
+        square1 = level_w0*twice_w1
+        square1_Dr33 = 4*level_w0 + level_w0_Dr33*twice_w1
+        square2 = level_half_w1*twice_w1
+        square2_Dr33 = level*twice_w1 + 4*level_half_w1
         sum0 = density0*square0 + density1*square1 + density2*square2
-        sum0_D33 = rate0*square0 + rate1*square1 + rate2*square2
+        sum0_D33 = -1024*square0 - 32*square1 + 32*square2
         sum0_Dr33 = density0*square0_Dr33 + density1*square1_Dr33 + density2*square2_Dr33
         sum1 = density1*square0 + density2*square1 + density3*square2
-        sum1_D33 = rate1*square0 + rate2*square1 + rate3*square2
+        sum1_D33 = -32*square0 + 32*square1 + 100*square2
         sum1_Dr33 = density1*square0_Dr33 + density2*square1_Dr33 + density3*square2_Dr33
         sum2 = density2*square0 + density3*square1 + density4*square2
-        sum2_D33 = rate2*square0 + rate3*square1 + rate4*square2
+        sum2_D33 = 32*square0 + 100*square1 + 560*square2
         sum2_Dr33 = density2*square0_Dr33 + density3*square1_Dr33 + density4*square2_Dr33
         served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
         one_minus_lam = np.where(served, nu*over_complement, np.nan)
@@ -224,7 +215,7 @@ def kinetic_rows(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> i
     unserved : int
         How many elements are not served.
 
-    Operations: 623.
+    Operations: 621.
     """
     rows = out.reshape(-1, 36)
     with np.errstate(all="ignore"):  # what is not served may be anything
@@ -239,19 +230,15 @@ def kinetic_rows(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> i
         less_a = a - 1
         less_c = c - 1
         start_a_of = less_a*less_a
-        start_a_even = 0.3876953125
-        start_a_even = start_a_even*start_a_of + 0.186279296875
+        start_a_even = 0.3876953125*start_a_of + 0.186279296875
         start_a_even = start_a_even*start_a_of + 1.0
-        start_a_odd = -0.09765625
-        start_a_odd = start_a_odd*start_a_of + -0.45849609375
+        start_a_odd = -0.09765625*start_a_of + -0.45849609375
         start_a_odd = start_a_odd*start_a_of + -0.23828125
         start_a = start_a_odd*less_a + start_a_even
         start_c_of = less_c*less_c
-        start_c_even = 0.3876953125
-        start_c_even = start_c_even*start_c_of + 0.186279296875
+        start_c_even = 0.3876953125*start_c_of + 0.186279296875
         start_c_even = start_c_even*start_c_of + 1.0
-        start_c_odd = -0.09765625
-        start_c_odd = start_c_odd*start_c_of + -0.45849609375
+        start_c_odd = -0.09765625*start_c_of + -0.45849609375
         start_c_odd = start_c_odd*start_c_of + -0.23828125
         start_c = start_c_odd*less_c + start_c_even
         squared_a = start_a*start_a
@@ -259,18 +246,14 @@ def kinetic_rows(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> i
         rest_a = -a*squared_a*start_a + 1
         rest_c = -c*squared_c*start_c + 1
         gain_a_of = rest_a*rest_a
-        gain_a_even = 0.1255700042913689
-        gain_a_even = gain_a_even*gain_a_of + 0.17283814150989257
+        gain_a_even = 0.1255700042913689*gain_a_of + 0.17283814150989257
         gain_a_even = gain_a_even*gain_a_of + 0.33333333370512586
-        gain_a_odd = 0.1447154561559821
-        gain_a_odd = gain_a_odd*gain_a_of + 0.22222138492592086
+        gain_a_odd = 0.1447154561559821*gain_a_of + 0.22222138492592086
         gain_a = gain_a_odd*rest_a + gain_a_even
         gain_c_of = rest_c*rest_c
-        gain_c_even = 0.1255700042913689
-        gain_c_even = gain_c_even*gain_c_of + 0.17283814150989257
+        gain_c_even = 0.1255700042913689*gain_c_of + 0.17283814150989257
         gain_c_even = gain_c_even*gain_c_of + 0.33333333370512586
-        gain_c_odd = 0.1447154561559821
-        gain_c_odd = gain_c_odd*gain_c_of + 0.22222138492592086
+        gain_c_odd = 0.1447154561559821*gain_c_of + 0.22222138492592086
         gain_c = gain_c_odd*rest_c + gain_c_even
         inverse_a = gain_a*rest_a*start_a + start_a
         inverse_c = gain_c*rest_c*start_c + start_c
@@ -289,13 +272,6 @@ def kinetic_rows(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> i
         level = np.where(served, over_roots*over_roots*unit, np.nan)
         v = over_roots*(-root_a + root_c)
         g0, g1, g2, g3, g4, g5, g6 = polynomials(SOFT, v)
-        L0 = g0*level
-        L1 = g1*level
-        L2 = g2*level
-        L3 = g3*level
-        L4 = g4*level
-        L5 = g5*level
-        L6 = g6*level
         over_pole = forces*(5 - D33)
         a_D33 = a*a*fifteenth*(SR + 2)
         a_SR = -a*equator_part*fifteenth*over_pole
@@ -303,27 +279,30 @@ def kinetic_rows(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> i
         c_SR = 2*equator_part*fifteenth*over_pole*over_pole
         e0 = 2 - D33
         e1 = 2*D33 + 2
-        density0 = L0*e0 + L1*e1
-        density0_D33 = -L0 + 2*L1
-        density1 = L1*e0 + L2*e1
-        density1_D33 = -L1 + 2*L2
-        density2 = L2*e0 + L3*e1
-        density2_D33 = -L2 + 2*L3
-        density3 = L3*e0 + L4*e1
-        density3_D33 = -L3 + 2*L4
-        density4 = L4*e0 + L5*e1
-        density4_D33 = -L4 + 2*L5
-        density5 = L5*e0 + L6*e1
-        density5_D33 = -L5 + 2*L6
+        density0 = e0*g0 + e1*g1
+        density0_D33 = -g0 + 2*g1
+        density1 = e0*g1 + e1*g2
+        density1_D33 = -g1 + 2*g2
+        density2 = e0*g2 + e1*g3
+        density2_D33 = -g2 + 2*g3
+        density3 = e0*g3 + e1*g4
+        density3_D33 = -g3 + 2*g4
+        density4 = e0*g4 + e1*g5
+        density4_D33 = -g4 + 2*g5
+        density5 = e0*g5 + e1*g6
+        density5_D33 = -g5 + 2*g6
         w0 = 2 - Dr33
         half_w1 = Dr33 + 1
         twice_w1 = 4*half_w1
-        square0 = w0*w0
-        square0_Dr33 = -2*w0
-        square1 = twice_w1*w0
-        square1_Dr33 = -twice_w1 + 4*w0
-        square2 = half_w1*twice_w1
-        square2_Dr33 = 4*half_w1 + twice_w1
+        level_w0 = level*w0
+        level_w0_Dr33 = -level
+        level_half_w1 = half_w1*level
+        square0 = level_w0*w0
+        square0_Dr33 = -level_w0 + level_w0_Dr33*w0
+        square1 = level_w0*twice_w1
+        square1_Dr33 = 4*level_w0 + level_w0_Dr33*twice_w1
+        square2 = level_half_w1*twice_w1
+        square2_Dr33 = level*twice_w1 + 4*level_half_w1
         S0 = density0*square0 + density1*square1 + density2*square2
         S0_D33 = density0_D33*square0 + density1_D33*square1 + density2_D33*square2
         S0_Dr33 = density0*square0_Dr33 + density1*square1_Dr33 + density2*square2_Dr33

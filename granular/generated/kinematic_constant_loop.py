@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``kinematic_constant``; do not edit.
 Source: (2), (4), (7) of Pan & Dong (1999).
 Domain: kinematic_constant: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5.
-Operations: 53 (339 in the outputs as derived).
+Operations: 64 (339 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -35,45 +35,37 @@ def kinematic_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Arra
     unserved : int
         How many elements are not served.
 
-    Operations: 53.
+    Operations: 64.
     """
-    zero0 = 11/4
-    zero1 = 11
-    zero2 = -11/2
-    zero3 = -11/5
-    zero4 = -11/8
-    rate0 = -16/3465
-    rate1 = -1/6930
-    rate2 = 1/6930
-    rate3 = 5/11088
-    rate4 = 1/396
+    level = 1/221760
     unserved = 0
     for i in range(all_D33.size):
         D33 = all_D33[i]
         Dr33 = all_Dr33[i]
         nu = all_nu[i]
-        shifted0 = D33 - zero0
-        shifted1 = D33 - zero1
-        shifted2 = D33 - zero2
-        shifted3 = D33 - zero3
-        shifted4 = D33 - zero4
-        density0 = rate0*shifted0
-        density1 = rate1*shifted1
-        density2 = rate2*shifted2
-        density3 = rate3*shifted3
-        density4 = rate4*shifted4
+        e0 = 2 - D33
+        e1 = 2*D33 + 2
+        density0 = 1280*e0 + 128*e1
+        density1 = 128*e0 + 48*e1
+        density2 = 48*e0 + 40*e1
+        density3 = 40*e0 + 70*e1
+        density4 = 70*e0 + 315*e1
         w0 = 2 - Dr33
         half_w1 = Dr33 + 1
         twice_w1 = 4*half_w1
-        square0 = w0*w0
-        square1 = twice_w1*w0
-        square2 = half_w1*twice_w1
+        level_w0 = level*w0
+        level_half_w1 = half_w1*level
+        square0 = level_w0*w0
+        square1 = level_w0*twice_w1
+        square2 = level_half_w1*twice_w1
         sum0 = density0*square0 + density1*square1 + density2*square2
         sum1 = density1*square0 + density2*square1 + density3*square2
         sum2 = density2*square0 + density3*square1 + density4*square2
+        complement = 2 - nu
+        over_complement = 1/complement
         served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
         unserved += not served
-        one_minus_lam = nu/(2 - nu) if served else np.nan
+        one_minus_lam = nu*over_complement if served else np.nan
         lam = 1 - one_minus_lam
         four_r1 = 4*sum1
         both = sum0 + sum1

@@ -5,14 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from typing import TYPE_CHECKING
 
 from granular.speed import contact_lists, effects, questions
 from granular.speed.errors_met import FEW, worst_error
 from granular.speed.interleaved import Way
 from granular.speed.limit import moved
 from granular.speed.questions import Question
-from granular.speed.sample import POISSON, sample
+from granular.speed.sample import POISSON, Sample, sample
 from granular.speed.ways import engines, operations_alone, results, slopes, values
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
 
 PER_ITEM = 200
 """Elements that slow ways do in one call [-]."""
@@ -69,11 +76,15 @@ class Comparison:
 
 def _against_limit(question: Question, name: str, wanted: float, size: int) -> list[Way]:
     drawn, out = sample(size), results(size)
-    read = (drawn.D33, drawn.Dr33, drawn.stress_ratio) if question.kinetic else (drawn.D33, drawn.Dr33)
-    return [Way(name="moving the same arrays", elements=size, call=moved(read, out)),
+    return [Way(name="moving the same arrays", elements=size, call=moved(_read(question, drawn), out)),
             *(operations_alone(question, size) if size == LARGE else ()),
             *(values(f"{name}, {engine}", question, drawn, out=out, engine=engine, threads=1,
                      wanted=wanted if engine != "numpy" and size == LARGE else None) for engine in engines())]
+
+
+def _read(question: Question, drawn: Sample) -> tuple[Array, ...]:
+    """The arrays that a kernel reads; Poisson's ratio is one number."""
+    return (drawn.D33, drawn.Dr33, drawn.stress_ratio) if question.kinetic else (drawn.D33, drawn.Dr33)
 
 
 def _slip_against_limit(size: int) -> list[Way]:
@@ -99,10 +110,14 @@ def _threads(question: Question, size: int) -> list[Way]:
 
 
 def _slopes(question: Question, engine: str, size: int) -> list[Way]:
+    import numpy as np
+
     drawn = sample(size)
+    found = question.slopes(drawn)()
+    rows = np.concatenate([found[0][..., None], found[1]], axis=-1).reshape(size, -1)
     return [values("values", question, drawn, out=results(size), engine=engine, threads=1),
-            slopes("values and slopes", question, drawn, out=question.slopes(drawn)(), engine=engine, threads=1,
-                   wanted=4.0)]
+            slopes("values and slopes", question, drawn, out=found, engine=engine, threads=1, wanted=4.0),
+            Way(name="moving what slopes move", elements=size, call=moved(_read(question, drawn), rows))]
 
 
 def _slopes_with_slip(size: int) -> list[Way]:

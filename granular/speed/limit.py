@@ -20,8 +20,8 @@ def moved(inputs: tuple[Array, ...], out: Array) -> Callable[[], object]:
     ----------
     inputs : tuple of 2 to 4 (n,) arrays
         What is read [-].
-    out : (n, 6) array
-        What is written, one element after another [-].
+    out : (n, 6) or (n, 36) array
+        What is written, one element after another: components, or also their slopes [-].
 
     Returns
     -------
@@ -34,15 +34,26 @@ def moved(inputs: tuple[Array, ...], out: Array) -> Callable[[], object]:
     """
     from granular.batch.engines import compiler_installed
 
+    width = out.shape[-1]
     if compiler_installed():
-        loop, flat = _compiled()[len(inputs)], out.reshape(-1)
-        return lambda: loop(*inputs, flat)
+        loop, flat = _compiled()[len(inputs) if width == COMPONENTS else 0], out.reshape(-1)
+        return lambda: loop(*inputs, flat) if width == COMPONENTS else loop(inputs, width, flat)
 
     def copies() -> None:
-        for column in range(6):
+        for column in range(width):
             out[:, column] = inputs[column % len(inputs)]
 
     return copies
+
+
+def _wide(inputs: tuple[Array, ...], width: int, out: Array) -> None:
+    for i in range(inputs[0].size):
+        total = 0.0
+        for given in inputs:
+            total += given[i]
+        row = out[width * i:width * (i + 1)]
+        for k in range(width):
+            row[k] = total
 
 
 def _two(a: Array, b: Array, out: Array) -> None:
@@ -71,10 +82,13 @@ def _compiled() -> dict[int, Callable[..., None]]:
     import numba
 
     made: dict[int, Callable[..., None]] = {}
-    for count, loop in ((2, _two), (3, _three), (4, _four)):
+    for count, loop in ((0, _wide), (2, _two), (3, _three), (4, _four)):
         made[count] = numba.njit(nogil=True)(loop)
     return made
 
+
+COMPONENTS = 6
+"""Numbers that are written for each element [-]."""
 
 CHAIN, LANES = 54, 512
 """Operations on a number in one pass, and numbers that stay in the nearest cache [-]."""
@@ -104,8 +118,8 @@ def computed(elements: int, operations: int, *, fused: bool) -> Callable[[], obj
 
     Notes
     -----
-    Six polynomials of two numbers side by side, none waiting for another, as in the kernels: as much as the registers of
-    a processor hold. Accuracy: whole passes of 54 operations on 512 numbers. Source: this machine.
+    Six polynomials of two numbers side by side, none waiting for another, as in the kernels: as many as a processor has
+    registers for. Accuracy: whole passes of 54 operations on 512 numbers. Source: this machine.
     """
     import numpy as np
 

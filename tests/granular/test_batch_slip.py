@@ -24,7 +24,7 @@ from granular.routes import certified
 MU = 0.21255656167002213  # tan(12 deg)
 
 TIGHT = 6e-13
-"""Little more than half of what the kernels declare; the worst met is 5e-13, what a table for much friction leaves out."""
+"""Somewhat more than half of what the kernels declare; the worst met, 5e-13, is left out where friction is large."""
 
 APART = [0.0, *(sign * 10.0**-power for power in (16, 12, 8, 4, 2) for sign in (1, -1))]
 """Relative distances from the stress ratio at which sliding begins."""
