@@ -181,7 +181,7 @@ def kinetic_function() -> Function:
 def served() -> tuple[sp.Rel, ...]:
     """Where the polynomials serve."""
     least, most = RATIOS
-    return (*domain(), sp.Le(equator_part, 1 / least * pole_part), sp.Le(pole_part, most * equator_part))
+    return (*domain(), sp.Le(a, 1 / least * c), sp.Le(c, most * a))
 
 
 @cache

@@ -2,7 +2,7 @@
 
 Emitted by ``derivations write`` from the derivation ``gradients``; do not edit.
 Source: (7), (20), (21), (23), Figure 1(b) of Pan & Dong (1999).
-Domain: constant_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5; kinetic_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
+Domain: constant_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5; kinetic_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, a <= 9*c, c <= 6*a.
 Operations: 780 (316 in the outputs as derived).
 """
 
@@ -268,7 +268,7 @@ def kinetic_rows(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> i
         reciprocal = 1/(complement*roots)
         over_roots = complement*reciprocal
         over_complement = reciprocal*roots
-        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
+        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (a <= 9*c) & (c <= 6*a)
         level = np.where(served, over_roots*over_roots*unit, np.nan)
         v = over_roots*(-root_a + root_c)
         g0, g1, g2, g3, g4, g5, g6 = polynomials(SOFT, v)

@@ -2,7 +2,7 @@
 
 Emitted by ``derivations write`` from the derivation ``gradients``; do not edit.
 Source: (7), (20), (21), (23), Figure 1(b) of Pan & Dong (1999).
-Domain: constant_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5; kinetic_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
+Domain: constant_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5; kinetic_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, a <= 9*c, c <= 6*a.
 Operations: 780 (316 in the outputs as derived).
 """
 
@@ -213,7 +213,7 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
     C1133_mu = 0
     C2323_mu = 0
     C1212_mu = 0
-    scratch = np.ones(3096)
+    scratch = np.ones(3024)
     keep_S0 = scratch[0:64]
     keep_S0_D33 = scratch[72:136]
     keep_S0_Dr33 = scratch[144:208]
@@ -247,16 +247,15 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
     keep_g6 = scratch[2160:2224]
     keep_level = scratch[2232:2296]
     keep_over_complement = scratch[2304:2368]
-    keep_pole_part = scratch[2376:2440]
-    keep_root_a = scratch[2448:2512]
-    keep_root_c = scratch[2520:2584]
-    keep_square0 = scratch[2592:2656]
-    keep_square0_Dr33 = scratch[2664:2728]
-    keep_square1 = scratch[2736:2800]
-    keep_square1_Dr33 = scratch[2808:2872]
-    keep_square2 = scratch[2880:2944]
-    keep_square2_Dr33 = scratch[2952:3016]
-    keep_v = scratch[3024:3088]
+    keep_root_a = scratch[2376:2440]
+    keep_root_c = scratch[2448:2512]
+    keep_square0 = scratch[2520:2584]
+    keep_square0_Dr33 = scratch[2592:2656]
+    keep_square1 = scratch[2664:2728]
+    keep_square1_Dr33 = scratch[2736:2800]
+    keep_square2 = scratch[2808:2872]
+    keep_square2_Dr33 = scratch[2880:2944]
+    keep_v = scratch[2952:3016]
     unserved = 0
     for start in range(0, all_D33.size, 64):
         stop = min(start + 64, all_D33.size)
@@ -277,7 +276,6 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
             keep_c[i] = c
             keep_equator_part[i] = equator_part
             keep_forces[i] = forces
-            keep_pole_part[i] = pole_part
         half = (stop - start + 1)//2
         for i in range(half):
             a = keep_a[i]
@@ -364,8 +362,8 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
             D33 = some_D33[i]
             Dr33 = some_Dr33[i]
             nu = some_nu[i]
-            equator_part = keep_equator_part[i]
-            pole_part = keep_pole_part[i]
+            a = keep_a[i]
+            c = keep_c[i]
             root_a = keep_root_a[i]
             root_c = keep_root_c[i]
             complement = 2 - nu
@@ -373,7 +371,7 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
             reciprocal = 1/(complement*roots)
             over_roots = complement*reciprocal
             over_complement = reciprocal*roots
-            served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
+            served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (a <= 9*c) & (c <= 6*a)
             unserved += not served
             level = over_roots*over_roots*unit if served else np.nan
             v = over_roots*(-root_a + root_c)

@@ -2,7 +2,7 @@
 
 Emitted by ``derivations write`` from the derivation ``kinetic``; do not edit.
 Source: (7), (20), (25), (26) of Pan & Dong (1999).
-Domain: kinematic_kinetic: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
+Domain: kinematic_kinetic: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, a <= 9*c, c <= 6*a.
 Operations: 350 (580 in the outputs as derived).
 """
 
@@ -137,7 +137,7 @@ def kinematic_kinetic(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array)
         over_complement = reciprocal*roots
         one_minus_lam = nu*over_complement
         lam = 1 - one_minus_lam
-        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
+        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (a <= 9*c) & (c <= 6*a)
         level = np.where(served, roots*unit, np.nan)
         v = over_roots*(-root_a + root_c)
         f0, f1, f2, f3, f4, f5 = polynomials(CUBIC, v)

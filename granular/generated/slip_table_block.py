@@ -2,7 +2,7 @@
 
 Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
 Source: (20), (21), (23) of Pan & Dong (1999).
-Domain: slip_state: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
+Domain: slip_state: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, a <= 9*c, c <= 6*a.
 Operations: 331 (7736 in the outputs as derived).
 """
 
@@ -138,7 +138,7 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         rows[5] = nu*over_complement
         one_minus_lam = rows[5]
         lam = 1 - one_minus_lam
-        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
+        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (a <= 9*c) & (c <= 6*a)
         level = np.where(served, roots*unit, np.nan)
         rows[3] = level
         rows[4] = over_roots*(-root_a + root_c)

@@ -2,7 +2,7 @@
 
 Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
 Source: (20), (21), (23) of Pan & Dong (1999).
-Domain: slip_state: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, equator_part <= 9*pole_part, pole_part <= 6*equator_part.
+Domain: slip_state: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, a <= 9*c, c <= 6*a.
 Operations: 331 (7736 in the outputs as derived).
 """
 
@@ -43,21 +43,19 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
     """
     third = 1/3
     unit = 1/443520
-    scratch = np.ones(1008)
+    scratch = np.ones(864)
     keep_a = scratch[0:64]
     keep_c = scratch[72:136]
-    keep_equator_part = scratch[144:208]
-    keep_f0 = scratch[216:280]
-    keep_f1 = scratch[288:352]
-    keep_f2 = scratch[360:424]
-    keep_f3 = scratch[432:496]
-    keep_f4 = scratch[504:568]
-    keep_f5 = scratch[576:640]
-    keep_level = scratch[648:712]
-    keep_pole_part = scratch[720:784]
-    keep_root_a = scratch[792:856]
-    keep_root_c = scratch[864:928]
-    keep_v = scratch[936:1000]
+    keep_f0 = scratch[144:208]
+    keep_f1 = scratch[216:280]
+    keep_f2 = scratch[288:352]
+    keep_f3 = scratch[360:424]
+    keep_f4 = scratch[432:496]
+    keep_f5 = scratch[504:568]
+    keep_level = scratch[576:640]
+    keep_root_a = scratch[648:712]
+    keep_root_c = scratch[720:784]
+    keep_v = scratch[792:856]
     unserved = 0
     for start in range(0, all_D33.size, 64):
         stop = min(start + 64, all_D33.size)
@@ -81,8 +79,6 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
             c = forces*pole_part
             keep_a[i] = a
             keep_c[i] = c
-            keep_equator_part[i] = equator_part
-            keep_pole_part[i] = pole_part
         half = (stop - start + 1)//2
         for i in range(half):
             a = keep_a[i]
@@ -169,8 +165,8 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
             D33 = some_D33[i]
             Dr33 = some_Dr33[i]
             nu = some_nu[i]
-            equator_part = keep_equator_part[i]
-            pole_part = keep_pole_part[i]
+            a = keep_a[i]
+            c = keep_c[i]
             root_a = keep_root_a[i]
             root_c = keep_root_c[i]
             complement = 2 - nu
@@ -180,7 +176,7 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
             over_complement = reciprocal*roots
             one_minus_lam = nu*over_complement
             lam = 1 - one_minus_lam
-            served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (equator_part <= 9*pole_part) & (pole_part <= 6*equator_part)
+            served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (a <= 9*c) & (c <= 6*a)
             unserved += not served
             level = roots*unit if served else np.nan
             v = over_roots*(-root_a + root_c)
