@@ -24,12 +24,12 @@ KNOWN, CONTRAST = 6, 4
 """Numbers that ``slip_state`` gives for each element: three sums, their level, the contrast, and 1 - k_r/k_n; and
 which of them the contrast is."""
 
-ZONE = 1 / 64
+ZONE = 1 / 256
 """Margin to sliding up to which the part that is not smooth at the onset is taken out of a table.
 
 Farther before the onset it would be many times as large as what it is taken from."""
 
-ZONE_BITS = 1023 - 6
+ZONE_BITS = 1023 - 8
 """Exponent of ``ZONE`` as it stands in a double."""
 
 DELICATE = 1 / 512
@@ -49,10 +49,10 @@ COLUMNS = 8
 
 COLUMN_WIDTH = (CONTRASTS[1] - CONTRASTS[0]) / COLUMNS
 
-BEFORE = 6
+BEFORE = 8
 """Octaves from the zone up to where there is no shear force."""
 
-OCTAVES = 12
+OCTAVES = 14
 """Octaves of the margin where friction varies: up to kappa = 65, where friction is below 0.02 at the end of the
 domain."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -76,6 +76,7 @@ class Comparison:
 
 def _against_limit(question: Question, name: str, wanted: float, size: int) -> list[Way]:
     drawn, out = sample(size), results(size)
+    question = replace(question, grains_differ=True)  # everything that a kernel takes is an array here
     return [Way(name="moving the same arrays", elements=size, call=moved(_read(question, drawn), out)),
             *(operations_alone(question, size) if size == LARGE else ()),
             *(values(f"{name}, {engine}", question, drawn, out=out, engine=engine, threads=1,
@@ -83,16 +84,16 @@ def _against_limit(question: Question, name: str, wanted: float, size: int) -> l
 
 
 def _read(question: Question, drawn: Sample) -> tuple[Array, ...]:
-    """The arrays that a kernel reads; Poisson's ratio is one number."""
-    return (drawn.D33, drawn.Dr33, drawn.stress_ratio) if question.kinetic else (drawn.D33, drawn.Dr33)
+    """The arrays that a kernel without friction reads."""
+    grains = (drawn.poisson_ratio,) if question.grains_differ else ()
+    return (drawn.D33, drawn.Dr33, *((drawn.stress_ratio,) if question.kinetic else ()), *grains)
 
 
 def _slip_against_limit(size: int) -> list[Way]:
-    drawn, out = sample(size), results(size)
+    drawn, out, question = sample(size), results(size), replace(questions.SLIP, grains_differ=True)
     able = engines() if size <= MOST_BY_NUMPY else engines()[:2]
-    return [Way(name="moving the same arrays", elements=size,
-                call=moved((drawn.D33, drawn.Dr33, drawn.stress_ratio), out)),
-            *(values(f"slip, {engine}", questions.SLIP, drawn, out=out, engine=engine, threads=1) for engine in able)]
+    return [Way(name="moving the same arrays", elements=size, call=moved(_read(question, drawn), out)),
+            *(values(f"slip, {engine}", question, drawn, out=out, engine=engine, threads=1) for engine in able)]
 
 
 def _slip(engine: str, size: int) -> list[Way]:

@@ -49,6 +49,8 @@ class Question:
         Kinematic or static.
     rtol : float or None
         Accuracy that is asked for [-]; None is full precision.
+    grains_differ : bool
+        Whether each assembly has a Poisson's ratio of its own.
     """
 
     branches: bool = True
@@ -56,6 +58,7 @@ class Question:
     friction: Friction = Friction.NONE
     hypothesis: Hypothesis = Hypothesis.KINEMATIC
     rtol: float | None = None
+    grains_differ: bool = False
 
     def arguments(self, drawn: Sample) -> tuple[Any, ...]:
         """Fabric, stress ratio, friction and Poisson's ratio, as ``axial_stiffness`` takes them.
@@ -73,7 +76,8 @@ class Question:
         friction = {Friction.NONE: None, Friction.ONE: FRICTION, Friction.EACH: drawn.friction,
                     Friction.STICKING: STICKING}[self.friction]
         ratio = drawn.stress_ratio if self.kinetic else 1.0  # equal contacts do not ask for it
-        return (drawn.D33, drawn.Dr33 if self.branches else 0.0, ratio, friction, POISSON)
+        nu = drawn.poisson_ratio if self.grains_differ else POISSON
+        return (drawn.D33, drawn.Dr33 if self.branches else 0.0, ratio, friction, nu)
 
     def call(self, drawn: Sample, **options: Any) -> Callable[[], Array]:
         """A call of ``axial_stiffness`` that answers it.

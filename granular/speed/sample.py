@@ -24,19 +24,21 @@ class Sample:
 
     Attributes
     ----------
-    D33, Dr33, stress_ratio, friction : (n,) array
-        Contact normals in [-1, 2], branches in [-0.9, 1.9], stress ratio in [1/3, 3] and friction in [0.1, 1], the
-        last two uniform in their logarithm [-].
+    D33, Dr33, stress_ratio, friction, poisson_ratio : (n,) array
+        Contact normals in [-1, 2], branches in [-0.9, 1.9], stress ratio in [1/3, 3] and friction in [0.1, 1], these
+        two uniform in their logarithm, Poisson's ratio of the grains in [0, 1/2] [-].
     """
 
     D33: Array
     Dr33: Array
     stress_ratio: Array
     friction: Array
+    poisson_ratio: Array
 
     def first(self, count: int) -> Sample:
         """The first few of them."""
-        return Sample(self.D33[:count], self.Dr33[:count], self.stress_ratio[:count], self.friction[:count])
+        return Sample(self.D33[:count], self.Dr33[:count], self.stress_ratio[:count], self.friction[:count],
+                      self.poisson_ratio[:count])
 
 
 def sample(size: int) -> Sample:
@@ -64,5 +66,6 @@ def sample(size: int) -> Sample:
     import numpy as np
 
     # a row for each assembly, so that few are the first of many
-    D33, Dr33, stress_ratio, friction = np.random.default_rng(1999).random((size, 4)).T
-    return Sample(3 * D33 - 1, 2.8 * Dr33 - 0.9, 3.0 ** (2 * stress_ratio - 1), 10.0 ** (friction - 1))
+    D33, Dr33, stress_ratio, friction, poisson_ratio = np.random.default_rng(1999).random((size, 5)).T
+    return Sample(3 * D33 - 1, 2.8 * Dr33 - 0.9, 3.0 ** (2 * stress_ratio - 1), 10.0 ** (friction - 1),
+                  poisson_ratio / 2)
