@@ -114,7 +114,7 @@ def intervals(octaves: int, parts: int) -> list[tuple[float, float]]:
     Examples
     --------
     >>> intervals(1, 2)
-    [(0.0, 0.015625), (0.015625, 0.0234375), (0.0234375, 0.03125), (0.03125, inf)]
+    [(0.0, 0.00390625), (0.00390625, 0.005859375), (0.005859375, 0.0078125), (0.0078125, inf)]
     """
     found = [(0.0, ZONE)]
     for octave in range(octaves):
