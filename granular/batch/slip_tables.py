@@ -65,7 +65,7 @@ def octaves_for(friction: float) -> int:
     Examples
     --------
     >>> octaves_for(0.2), octaves_for(5.0)
-    (9, 7)
+    (11, 9)
     """
     most = max(_kappa_at(end, friction) for end in CONTRASTS) - 1
     return max(BEFORE + 1, math.ceil(math.log2(max(most, ZONE) / ZONE)))
