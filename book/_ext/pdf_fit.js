@@ -2,6 +2,13 @@
 (async () => {
   await document.fonts.ready;
   await Promise.all([...document.images].map(image => image.decode().catch(() => null)));
+  // Everything is laid out anew from nothing: what was laid out before a face of type or a style sheet was there keeps
+  // traces of it, a quarter of a pixel here and there, and two prints would differ.
+  document.body.style.display = 'none';
+  document.body.getBoundingClientRect();
+  document.body.style.display = '';
+  document.body.getBoundingClientRect();
+  await document.fonts.ready;
   const LEAST = 0.5;
   const room = box => {
     const style = getComputedStyle(box);

@@ -11,6 +11,7 @@ import pytest
 from bs4 import BeautifulSoup
 from pdf_chapters import Heading, chapter, plain
 from pdf_check import problems
+from pdf_compare import differences
 from pdf_document import assemble
 from pdf_outline import finish
 from pypdf import PdfReader, PdfWriter
@@ -164,6 +165,27 @@ def test_finished_files_are_equal(pages: Path, tmp_path: Path, book: Path, chrom
     assert outcome.returncode == 1
     for problem in ("one: reaches over the page: p too wide", "one: shows TeX: p", "one: is cut or scrolls: div cut"):
         assert problem in outcome.stderr
+
+
+def test_printings_that_say_something_else_are_told_apart(pages: Path, tmp_path: Path, book: Path,
+                                                          chromium: str) -> None:
+    """Breaks when a word, a link or a page may change from one printing to the next."""
+    (pages / "_static").mkdir()
+    (pages / "_static" / "print.css").write_bytes((book / "_static" / "print.css").read_bytes())
+    readers = []
+    for target, word in (("two", "link"), ("two", "links"), ("index", "link")):
+        page(pages, "one", "1. Number one", f'<p>one <a href="{target}.html">a <em>mixed</em> {word}</a></p>')
+        out = tmp_path / f"{len(readers)}.pdf"
+        subprocess.run([sys.executable, str(book / "_ext" / "pdf.py"), str(pages), str(out), "--browser", chromium],
+                       check=True)
+        readers.append(PdfReader(out))
+    first, other_word, other_link = readers
+    assert list(differences(first, first)) == []
+    assert [problem.split(": ")[1] for problem in differences(first, other_word)] == ["other words"]
+    assert [problem.split(": ")[1] for problem in differences(first, other_link)] == ["other links"]
+    assert list(differences(first, printed())) == [f"{len(first.pages)} pages and 2 pages"]
+    leading = [link.get_object()["/Dest"] for sheet in first.pages for link in sheet.get("/Annots", ())]
+    assert leading.count("/two") == 3  # its lines in two lists of contents, and one area for a link with two faces
 
 
 def test_missing_chromium_is_said(book: Path) -> None:
