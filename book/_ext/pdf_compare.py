@@ -1,4 +1,4 @@
-"""Compare two printings of the book: ``python pdf_compare.py A.pdf B.pdf``; exit code 1 where they say different things.
+"""Compare two printings of the book: ``python pdf_compare.py A.pdf B.pdf``; exit code 1 where they do not say the same.
 
 Chromium lays pages out in fractions of a pixel, and where it rounds can depend on what was loaded first. So the bytes
 may differ where the pages do not: what is asked is that both have the same pages, each with the same words and links.
