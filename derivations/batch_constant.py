@@ -2,8 +2,8 @@
 
 The density has rank two, so that E W^2 is a form of degree three in s and y. The density is averaged first, and the
 squares of the branch length weight its integrals: what is common to all components is in these, so that no operation is
-left that only scales. Contacts that follow their force have other integrals and the same arithmetic, which gives the
-same bits where all forces are equal.
+left that only scales. Contacts that follow their force have other integrals and the same arithmetic from the averages of
+the density on.
 """
 
 from __future__ import annotations
@@ -57,6 +57,17 @@ def density_assignments(integrals: Sequence[sp.Expr], density: tuple[sp.Symbol, 
             *((one, e0 * integrals[j] + e1 * integrals[j + 1]) for j, one in enumerate(density)))
 
 
+def integer_density_assignments() -> Assignments:
+    """The same for integrals that are whole numbers: what the two have in common goes with 2 - D33 + 1 + D33 = 3."""
+    half_e1 = sp.Symbol("half_e1", nonnegative=True)
+    lines: list[tuple[sp.Symbol, sp.Expr]] = [(e0, 2 - D33), (half_e1, 1 + D33)]
+    for j, one in enumerate(DENSITY):
+        by_e0, by_half = integer_moment(j), 2 * integer_moment(j + 1)
+        common = min(by_e0, by_half)
+        lines.append((one, 3 * common + (by_e0 - common) * e0 + (by_half - common) * half_e1))
+    return tuple(lines)
+
+
 def square_assignments(level: sp.Symbol) -> Assignments:
     """From the branch lengths to the coefficients of 4 W^2, times a level."""
     level_w0, level_half_w1 = sp.symbols("level_w0 level_half_w1", nonnegative=True)
@@ -79,8 +90,8 @@ def ratio_assignments() -> Assignments:
 
 def fabric_assignments() -> Assignments:
     """From the fabric to the sums of contacts that are all equally stiff."""
-    return ((level, sp.Integer(1) / SCALE), *density_assignments([integer_moment(j) for j in range(6)], DENSITY),
-            *square_assignments(level), *sum_assignments(SUMS, DENSITY))
+    return ((level, sp.Integer(1) / SCALE), *integer_density_assignments(), *square_assignments(level),
+            *sum_assignments(SUMS, DENSITY))
 
 
 def component_assignments() -> Assignments:
@@ -124,7 +135,7 @@ def steps(closed: dict[sp.Symbol, sp.Expr], components: tuple[sp.Expr, ...]) -> 
 
     ``closed`` gives the positive moments in the fabric, ``components`` the components in moments and nu.
     """
-    known = substituted(fabric_assignments())
+    known, in_e0 = substituted(fabric_assignments()), dict(fabric_assignments())[DENSITY[0]]
     to_sums = {p: 8 * r for p, r in zip(POSITIVE_MOMENTS, SUMS, strict=True)}
     found = substituted((*ratio_assignments(), *component_assignments()))
     return (
@@ -135,7 +146,7 @@ def steps(closed: dict[sp.Symbol, sp.Expr], components: tuple[sp.Expr, ...]) -> 
              (rf"{latex(POSITIVE_MOMENTS[0])} = (2-D^r_{{33}})^2 d_0 + 4(2-D^r_{{33}})(1+D^r_{{33}})\,d_1 + "
               r"4(1+D^r_{33})^2 d_2,",
               r"d_j = \frac14\int_0^1 s^{4-j}x^{2j}E\,\mathrm{d}x,\qquad "
-              rf"{8 * DENOMINATOR}\,d_0 = {latex(dict(fabric_assignments())[DENSITY[0]])}",),
+              rf"{8 * DENOMINATOR}\,d_0 = {latex(in_e0.coeff(e0))}\,(2-D_{{33}}) + {latex(in_e0.coeff(e0, 0))}",),
              (*(Claim(sp.expand(8 * known[total]), sp.expand(closed[p]))
                 for total, p in zip(SUMS, POSITIVE_MOMENTS, strict=True)),
               *(Claim(sp.cancel(found[symbol] - expression.xreplace(to_sums)), sp.Integer(0))

@@ -54,9 +54,12 @@ def polynomials(table: Array, v: Array) -> Array:
     return total
 '''
 
-PASS, GAP = 64, 8
+PASS, SHORT_PASS, GAP = 64, 32, 8
 """Elements that one pass of a loop goes over, and the numbers between what is kept of them: it all stays in the nearest
-cache, and no two rows of it are a power of two apart."""
+cache, and no two columns of it are a power of two apart."""
+
+MANY = 24
+"""Columns from which on passes are short."""
 
 SHORT = 8
 """Terms up to which even and odd powers of a polynomial are summed apart: there are too few polynomials beside it."""
@@ -70,7 +73,8 @@ RELATIONS = {sp.StrictGreaterThan: ">", sp.GreaterThan: ">=", sp.StrictLessThan:
 def loop_module(derivation: Derivation) -> str:
     """Return the text of ``granular/generated/NAME_loop.py``."""
     bodies = [_loop(one, _tables(derivation)) for one in derivation.batch]
-    return "\n".join([_header(derivation, "a loop over elements, to be compiled"), _imports(bodies), "",
+    return "\n".join([_header(derivation, "a loop over elements, to be compiled"),
+                      _imports_of_loop(derivation, bodies), "",
                       "\n\n".join(bodies)])
 
 
@@ -90,6 +94,12 @@ def _imports(bodies: list[str]) -> str:
     """NumPy's functions in both forms: they take what is outside their domain without a stop."""
     called = called_functions(bodies)
     return IMPORTS.replace("typing as npt\n", f"typing as npt\nfrom numpy import {called}\n") if called else IMPORTS
+
+
+def _imports_of_loop(derivation: Derivation, bodies: list[str]) -> str:
+    """Those of a block, and the two functions that every loop calls."""
+    names = "scratch_of" if all(one.apart for one in derivation.batch) else "scratch_of, write_rows"
+    return _imports(bodies).replace("\nArray: TypeAlias", f"\nfrom granular.generated.rows import {names}\n\nArray: TypeAlias")
 
 
 def _header(derivation: Derivation, kind: str) -> str:
@@ -143,38 +153,50 @@ def _called(expression: sp.Expr) -> str:
 
 
 def _loop(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
-    names = [a.name for a in one.function.arguments]
+    """A loop over elements in passes that all stay in the nearest cache, the results of each written at its end."""
+    names, returns = [a.name for a in one.function.arguments], one.function.returns
     passes = _passes(one)
-    kept = _kept(one, passes)
-    lines = [f"{symbol.name} = {python_source(number)}" for symbol, number in one.function.assignments
-             if number.is_number]
-    if kept:
-        lines.append(f"scratch = np.ones({len(kept) * (PASS + GAP)})")
-    lines += [*(f"keep_{name} = scratch[{k * (PASS + GAP)}:{k * (PASS + GAP) + PASS}]"
-                for k, name in enumerate(sorted(kept))), "unserved = 0"]
-    if len(passes) == 1:
-        lines += [f"for i in range(all_{names[0]}.size):",
-                  *_indented(_pass(one, passes[0], kept, tables, "all", "out"))]
-    else:
-        width = len(one.function.returns)
-        lines += [f"for start in range(0, all_{names[0]}.size, {PASS}):",
-                  f"    stop = min(start + {PASS}, all_{names[0]}.size)",
-                  *(f"    some_{name} = all_{name}[start:stop]" for name in names),
-                  *([f"    some_{r.name} = out[{k}*all_{names[0]}.size:{k + 1}*all_{names[0]}.size][start:stop]"
-                     for k, r in enumerate(one.function.returns)] if one.apart else
-                    [f"    some_out = out[{width}*start:{width}*stop]"])]
-        for members in passes:
-            body = _pass(one, members, kept, tables, "some", "some_out")
-            if _only_keeps(one, members):
-                lines += ["    half = (stop - start + 1)//2", "    for i in range(half):",
-                          *_indented(_twice(body), 2)]
-            else:
-                lines += ["    for i in range(stop - start):", *_indented(body, 2)]
+    kept = sorted(_kept(one, passes))
+    columns = [] if one.apart else [r.name for r in returns]
+    length = PASS if len(kept) + len(columns) < MANY else SHORT_PASS
+    spacing = length + GAP
+    numbers = {symbol.name: number for symbol, number in one.function.assignments if number.is_number}
+    lines = [f"{name} = {python_source(number)}" for name, number in numbers.items() if name not in columns]
+    lines.append(f"scratch = scratch_of({(len(kept) + len(columns)) * spacing})")
+    places = {name: f"scratch[{k * spacing}:{k * spacing + length}]"
+              for k, name in enumerate([*(f"keep_{name}" for name in kept), *(f"column_{name}" for name in columns)])}
+    if columns:
+        places["columns"] = f"scratch[{len(kept) * spacing}:{(len(kept) + len(columns)) * spacing}]"
+    lines += [f"{name} = {place}" for name, place in places.items() if name.removeprefix("column_") not in numbers]
+    lines += [f"{places[f'column_{name}']} = {python_source(numbers[name])}" for name in columns
+              if name in numbers and numbers[name] != 0]
+    size = f"all_{names[0]}.size"
+    lines += ["unserved = 0", f"for start in range(0, {size}, {length}):", f"    stop = min(start + {length}, {size})",
+              *(f"    some_{name} = all_{name}[start:stop]" for name in names)]
+    if one.apart:
+        lines += [f"    some_{r.name} = out[{k}*{size}:{k + 1}*{size}][start:stop]" for k, r in enumerate(returns)]
+    for members in passes:
+        body = _pass(one, members, set(kept), tables)
+        if _only_keeps(one, members):
+            lines += ["    half = (stop - start + 1)//2", "    for i in range(half):", *_indented(_twice(body), 2)]
+        else:
+            lines += ["    for i in range(stop - start):", *_indented(body, 2)]
+    if columns:
+        width = len(columns)
+        lines.append(f"    write_rows(columns, {width}, {spacing}, out[{width}*start:{width}*stop], streamed)")
+    return "\n".join([_loop_head(one), *_indented(lines), "    return unserved\n"])
+
+
+def _loop_head(one: BatchFunction) -> str:
     signature, head = _signature(one), _docstring(one)
-    for name in names:
-        signature = signature.replace(f"{name}: Array", f"all_{name}: Array", 1)
-        head = head.replace(f"    {name} : (n,)", f"    all_{name} : (n,)", 1)
-    return "\n".join([signature, head, *_indented(lines), "    return unserved\n"])
+    for argument in one.function.arguments:
+        signature = signature.replace(f"{argument.name}: Array", f"all_{argument.name}: Array", 1)
+        head = head.replace(f"    {argument.name} : (n,)", f"    all_{argument.name} : (n,)", 1)
+    if not one.apart:
+        signature = signature.replace("out: Array", "out: Array, streamed: bool")
+        head = head.replace("\n\n    Returns\n", "\n    streamed : bool\n        Whether results go past the caches, where "
+                            "a compiler knows how.\n\n    Returns\n", 1)
+    return f"{signature}\n{head}"
 
 
 def _indented(lines: list[str], depth: int = 1) -> list[str]:
@@ -209,10 +231,10 @@ def _kept(one: BatchFunction, passes: list[list[Assignment]]) -> set[str]:
     return kept
 
 
-def _pass(one: BatchFunction, members: list[Assignment], kept: set[str], tables: dict[str, TruncatedSeries],
-          source: str, target: str) -> list[str]:
+def _pass(one: BatchFunction, members: list[Assignment], kept: set[str],
+          tables: dict[str, TruncatedSeries]) -> list[str]:
     own, needed = {symbol.name for symbol, _ in members}, _needed(one, members)
-    lines = [f"{a.name} = {source}_{a.name}[i]" for a in one.function.arguments if a.name in needed]
+    lines = [f"{a.name} = some_{a.name}[i]" for a in one.function.arguments if a.name in needed]
     lines += [f"{name} = keep_{name}[i]" for name in sorted((needed & kept) - own)]
     for polynomials, run in groupby(members, lambda assignment: _is_polynomial(assignment[1])):
         if polynomials:
@@ -229,21 +251,16 @@ def _pass(one: BatchFunction, members: list[Assignment], kept: set[str], tables:
             else:
                 lines.append(f"{symbol.name} = {python_source(expression)}")
     lines += [f"keep_{name}[i] = {name}" for name in sorted(own & kept)]
-    stored = _stored(one, own)
-    if one.apart:
-        lines += [f"some_{r.name}[i] = {r.name}" for _, r in stored]
-    elif stored:
-        lines += [f"place = {len(one.function.returns)}*i",
-                  *(f"{target}[place + {k}] = {r.name}" for k, r in stored)]
-    return lines
+    target = "some" if one.apart else "column"
+    return [*lines, *(f"{target}_{r.name}[i] = {r.name}" for r in one.function.returns if r.name in own)]
 
 
 def _only_keeps(one: BatchFunction, members: list[Assignment]) -> bool:
     """Whether a pass reads and writes only what is kept, and leaves registers for a second element."""
     arguments = {a.name for a in one.function.arguments}
     polynomials = sum(1 for _, expression in members if _is_polynomial(expression))
-    return (not arguments & _needed(one, members) and not _stored(one, {symbol.name for symbol, _ in members})
-            and all(symbol != one.gate for symbol, _ in members) and 0 < polynomials <= SIDE_BY_SIDE)
+    return (not arguments & _needed(one, members) and not any(
+        symbol == one.gate or symbol in one.function.returns for symbol, _ in members) and 0 < polynomials <= SIDE_BY_SIDE)
 
 
 def _twice(body: list[str]) -> list[str]:
@@ -257,14 +274,6 @@ def _twice(body: list[str]) -> list[str]:
         again = re.sub(r"\b[A-Za-z_]\w*\b", lambda found: f"{found[0]}_too" if found[0] in own else found[0], line)
         lines += [line, again.replace("[i]", "[i + half]")]
     return lines
-
-
-def _stored(one: BatchFunction, own: set[str]) -> list[tuple[int, sp.Symbol]]:
-    """Results that a pass writes, with their places: those that it assigns, and numbers beside the first of all."""
-    returns = one.function.returns
-    numbers = {symbol.name for symbol, expression in one.function.assignments if expression.is_number}
-    return [(k, r) for k, r in enumerate(returns)
-            if r.name in own or (r.name in numbers and returns[0].name in own)]
 
 
 def _is_short(series: TruncatedSeries) -> bool:

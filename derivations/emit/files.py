@@ -19,6 +19,7 @@ from derivations.emit.formulas import formula_fragment
 from derivations.emit.gauss import gauss_module
 from derivations.emit.module import operations_before
 from derivations.emit.panels import panel_module
+from derivations.emit.rows import rows_module
 from derivations.emit.scalar import scalar_module
 from derivations.emit.steps import steps_entry
 from derivations.record import Derivation
@@ -76,7 +77,7 @@ def emitted_files(processes: int = 1) -> dict[str, str]:
             emitted = list(pool.map(emitted_of, names()))
             gauss = nodes.result()
     files = {f"{GENERATED}/__init__.py": PACKAGE, f"{GENERATED}/gauss_legendre.py": gauss,
-             f"{GENERATED}/panel_rows.py": panel_module()}
+             f"{GENERATED}/panel_rows.py": panel_module(), f"{GENERATED}/rows.py": rows_module()}
     index, steps = {}, {}
     for name, (texts, entry, about_steps) in zip(names(), emitted, strict=True):
         files.update(texts)

@@ -171,7 +171,7 @@ def _compile(kernel: Kernel, *, fused: bool) -> BlockFunction:
     named = _with_helpers(kernel, fused=fused)
     read = [types.Array(types.float64, 1, "C", readonly=True)] * len(kernel.inputs)
     tables = [types.Array(types.float64, table.ndim, "C", readonly=True) for table in kernel.tables]
-    signature = types.int64(*read, *tables, types.Array(types.float64, 1, "C"))
+    signature = types.int64(*read, *tables, types.Array(types.float64, 1, "C"), types.boolean)
     free = CONTRACT if fused else False
     try:
         made: BlockFunction = numba.njit(signature, cache=True, nogil=True, fastmath=free, error_model="numpy")(named)
@@ -188,17 +188,18 @@ def _with_helpers(kernel: Kernel, *, fused: bool) -> BlockFunction:
     """
     import numba
 
+    from granular.batch import compiled_rows
+
     loop, helpers, exact = kernel.loop(), kernel.helpers(), kernel.exact_helpers()
-    known: dict[str, object] = {}
+    known: dict[str, object] = {**compiled_rows.row_functions()}
     for helper in helpers:
         free = fused and helper not in exact
         known[helper.__name__] = numba.njit(fastmath=CONTRACT if free else False, error_model="numpy", nogil=True)(
             _copy(helper, helper.__name__, known))
-    if not known and not fused:
-        return loop
-    files = sorted({helper.__code__.co_filename for helper in helpers if isinstance(helper, FunctionType)})
-    digest = hashlib.sha256(b"".join(Path(file).read_bytes() for file in files)).hexdigest()[:16]
-    return _copy(loop, "_".join([loop.__name__, *([digest] if known else []), *(["fused"] if fused else [])]), known)
+    files = {helper.__code__.co_filename for helper in helpers if isinstance(helper, FunctionType)}
+    files.add(compiled_rows.__file__)
+    digest = hashlib.sha256(b"".join(Path(file).read_bytes() for file in sorted(files))).hexdigest()[:16]
+    return _copy(loop, "_".join([loop.__name__, digest, *(["fused"] if fused else [])]), known)
 
 
 def _copy(function: Callable[..., Any], name: str, known: Mapping[str, object]) -> Callable[..., Any]:

@@ -23,6 +23,10 @@ BLOCK = {Engine.NUMPY: 4096, Engine.COMPILED: 1 << 15, Engine.FUSED: 1 << 15}
 SHARE = 1 << 18
 """Elements that are worth a thread of their own."""
 
+STREAMED = 1 << 23
+"""Bytes of a result from which on compiled loops write it past the caches: little of it would still be there when it is
+read, and what is written through them is read from memory first."""
+
 
 def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *, engine: Engine | str | None = None,
                    threads: int | None = None) -> Index:
@@ -73,6 +77,7 @@ def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *
     size = flat.size // width
     chosen = choose_engine(kernel, size, engine)
     function, block = block_function(kernel, chosen), min(BLOCK[chosen], max(1, size))
+    how = () if chosen is Engine.NUMPY else (out.nbytes >= STREAMED and out.ctypes.data % 16 == 0,)
 
     def work(first: int, last: int) -> list[Index]:
         readers = [block_reader(argument, shape, block) for argument in inputs]
@@ -80,7 +85,7 @@ def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *
         for start in range(first, last, block):
             stop = min(start + block, last)
             here = flat[width * start:width * stop]
-            if function(*(read(start, stop) for read in readers), *kernel.tables, here):
+            if function(*(read(start, stop) for read in readers), *kernel.tables, here, *how):
                 unserved.append(start + np.flatnonzero(np.isnan(here[::width])))
         return unserved
 

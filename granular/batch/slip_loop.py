@@ -50,7 +50,7 @@ PART = 512
 
 
 def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array, friction: Array,
-                 coefficients: Array, middle: Array, narrowness: Array, out: Array) -> int:
+                 coefficients: Array, middle: Array, narrowness: Array, out: Array, streamed: bool) -> int:
     """Six components of each element, with one friction for all of them or with any, as the table goes.
 
     Parameters
@@ -61,6 +61,8 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
         Of a :class:`granular.batch.slip_tables.Table` [-].
     out : (6 n,) array
         To be filled; NaN for elements that are not served [-].
+    streamed : bool
+        Whether results go past the caches, where a compiler knows how.
 
     Returns
     -------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from granular.batch.arguments import common_shape, hypothesis_named, real_array, require_range, require_sticking
+from granular.batch.arguments import common_shape, hypothesis_named, in_range, real_array, require_range, require_sticking
 from granular.errors import ArrayNotUsable, SlopeInfinite, ValueOutOfRange
 from granular.hypothesis import Hypothesis
 
@@ -132,13 +132,15 @@ def axial_gradient(
     if friction_coefficient is not None:
         given["friction_coefficient"] = real_array(friction_coefficient, "friction_coefficient")
     shape = common_shape(given)
-    require_range(given)
     rows = np.empty((*shape, COLUMNS)) if out is None else _memory(out, shape, given)
     kernel = _kernel(given, chosen, kinetic=kinetic)
     if kernel is None:
         rest = np.arange(rows.size // COLUMNS)
     else:
         rest = evaluate_batch(kernel, [given[name] for name in kernel.inputs], rows, engine=engine, threads=threads)
+    served = kernel.inputs if kernel else ()
+    if rest.size or not all(in_range({name: array}).all() for name, array in given.items() if name not in served):
+        require_range(given)  # a kernel serves nothing that is outside
     if rest.size:
         _fill(rows.reshape(-1, COLUMNS), rest, given, shape, chosen, kinetic=kinetic)
     if out is not None:

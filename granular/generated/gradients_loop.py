@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``gradients``; do not edit.
 Source: (7), (20), (21), (23), Figure 1(b) of Pan & Dong (1999).
 Domain: constant_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5; kinetic_rows: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, a <= 9*c, c <= 6*a.
-Operations: 780 (316 in the outputs as derived).
+Operations: 774 (316 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -13,10 +13,12 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from granular.generated.rows import scratch_of, write_rows
+
 Array: TypeAlias = npt.NDArray[np.float64]
 
 
-def constant_rows(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) -> int:
+def constant_rows(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array, streamed: bool) -> int:
     """Six components over (M/V) l_e^2 k_n and their slopes, for contacts that are equally stiff.
 
     Slopes by D33, Dr33, SR, mu and nu, six each; those by SR and mu are zero.
@@ -35,146 +37,155 @@ def constant_rows(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) ->
         C1122_SR, C1133_SR, C2323_SR, C1212_SR, C1111_mu, C3333_mu, C1122_mu, C1133_mu, C2323_mu, C1212_mu,
         C1111_nu, C3333_nu, C1122_nu, C1133_nu, C2323_nu, C1212_nu of each element in turn, NaN for those that
         are not served.
+    streamed : bool
+        Whether results go past the caches, where a compiler knows how.
 
     Returns
     -------
     unserved : int
         How many elements are not served.
 
-    Operations: 159.
+    Operations: 153.
     """
     level = 1/221760
-    C1111_SR = 0
-    C3333_SR = 0
-    C1122_SR = 0
-    C1133_SR = 0
-    C2323_SR = 0
-    C1212_SR = 0
-    C1111_mu = 0
-    C3333_mu = 0
-    C1122_mu = 0
-    C1133_mu = 0
-    C2323_mu = 0
-    C1212_mu = 0
+    scratch = scratch_of(1440)
+    column_C1111 = scratch[0:32]
+    column_C3333 = scratch[40:72]
+    column_C1122 = scratch[80:112]
+    column_C1133 = scratch[120:152]
+    column_C2323 = scratch[160:192]
+    column_C1212 = scratch[200:232]
+    column_C1111_D33 = scratch[240:272]
+    column_C3333_D33 = scratch[280:312]
+    column_C1122_D33 = scratch[320:352]
+    column_C1133_D33 = scratch[360:392]
+    column_C2323_D33 = scratch[400:432]
+    column_C1212_D33 = scratch[440:472]
+    column_C1111_Dr33 = scratch[480:512]
+    column_C3333_Dr33 = scratch[520:552]
+    column_C1122_Dr33 = scratch[560:592]
+    column_C1133_Dr33 = scratch[600:632]
+    column_C2323_Dr33 = scratch[640:672]
+    column_C1212_Dr33 = scratch[680:712]
+    column_C1111_nu = scratch[1200:1232]
+    column_C3333_nu = scratch[1240:1272]
+    column_C1122_nu = scratch[1280:1312]
+    column_C1133_nu = scratch[1320:1352]
+    column_C2323_nu = scratch[1360:1392]
+    column_C1212_nu = scratch[1400:1432]
+    columns = scratch[0:1440]
     unserved = 0
-    for i in range(all_D33.size):
-        D33 = all_D33[i]
-        Dr33 = all_Dr33[i]
-        nu = all_nu[i]
-        complement = 2 - nu
-        over_complement = 1/complement
-        e0 = 2 - D33
-        e1 = 2*D33 + 2
-        density0 = 1280*e0 + 128*e1
-        density1 = 128*e0 + 48*e1
-        density2 = 48*e0 + 40*e1
-        density3 = 40*e0 + 70*e1
-        density4 = 70*e0 + 315*e1
-        w0 = 2 - Dr33
-        half_w1 = Dr33 + 1
-        twice_w1 = 4*half_w1
-        level_w0 = level*w0
-        level_w0_Dr33 = -level
-        level_half_w1 = half_w1*level
-        square0 = level_w0*w0
-        square0_Dr33 = -level_w0 + level_w0_Dr33*w0
-        square1 = level_w0*twice_w1
-        square1_Dr33 = 4*level_w0 + level_w0_Dr33*twice_w1
-        square2 = level_half_w1*twice_w1
-        square2_Dr33 = level*twice_w1 + 4*level_half_w1
-        sum0 = density0*square0 + density1*square1 + density2*square2
-        sum0_D33 = -1024*square0 - 32*square1 + 32*square2
-        sum0_Dr33 = density0*square0_Dr33 + density1*square1_Dr33 + density2*square2_Dr33
-        sum1 = density1*square0 + density2*square1 + density3*square2
-        sum1_D33 = -32*square0 + 32*square1 + 100*square2
-        sum1_Dr33 = density1*square0_Dr33 + density2*square1_Dr33 + density3*square2_Dr33
-        sum2 = density2*square0 + density3*square1 + density4*square2
-        sum2_D33 = 32*square0 + 100*square1 + 560*square2
-        sum2_Dr33 = density2*square0_Dr33 + density3*square1_Dr33 + density4*square2_Dr33
-        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
-        unserved += not served
-        one_minus_lam = nu*over_complement if served else np.nan
-        one_minus_lam_nu = 2*over_complement*over_complement
-        lam = 1 - one_minus_lam
-        lam_nu = -one_minus_lam_nu
-        four_r1 = 4*sum1
-        four_r1_D33 = 4*sum1_D33
-        four_r1_Dr33 = 4*sum1_Dr33
-        both = sum0 + sum1
-        both_D33 = sum0_D33 + sum1_D33
-        both_Dr33 = sum0_Dr33 + sum1_Dr33
-        later = sum1 + sum2
-        later_D33 = sum1_D33 + sum2_D33
-        later_Dr33 = sum1_Dr33 + sum2_Dr33
-        along = lam*sum1 + sum2
-        along_D33 = lam*sum1_D33 + sum2_D33
-        along_Dr33 = lam*sum1_Dr33 + sum2_Dr33
-        along_nu = lam_nu*sum1
-        C1111 = lam*(four_r1 + sum0) + 3*sum0
-        C1111_D33 = four_r1_D33*lam + sum0_D33*(lam + 3)
-        C1111_Dr33 = four_r1_Dr33*lam + sum0_Dr33*(lam + 3)
-        C1111_nu = lam_nu*(four_r1 + sum0)
-        C3333 = 8*along
-        C3333_D33 = 8*along_D33
-        C3333_Dr33 = 8*along_Dr33
-        C3333_nu = 8*along_nu
-        C1122 = one_minus_lam*sum0
-        C1122_D33 = one_minus_lam*sum0_D33
-        C1122_Dr33 = one_minus_lam*sum0_Dr33
-        C1122_nu = one_minus_lam_nu*sum0
-        C1133 = four_r1*one_minus_lam
-        C1133_D33 = four_r1_D33*one_minus_lam
-        C1133_Dr33 = four_r1_Dr33*one_minus_lam
-        C1133_nu = four_r1*one_minus_lam_nu
-        C2323 = C1133 + lam*(both + 2*later)
-        C2323_D33 = C1133_D33 + both_D33*lam + 2*lam*later_D33
-        C2323_Dr33 = C1133_Dr33 + both_Dr33*lam + 2*lam*later_Dr33
-        C2323_nu = C1133_nu + lam_nu*(both + 2*later)
-        C1212 = C1122 + 2*both*lam
-        C1212_D33 = C1122_D33 + 2*both_D33*lam
-        C1212_Dr33 = C1122_Dr33 + 2*both_Dr33*lam
-        C1212_nu = C1122_nu + 2*both*lam_nu
-        place = 36*i
-        out[place + 0] = C1111
-        out[place + 1] = C3333
-        out[place + 2] = C1122
-        out[place + 3] = C1133
-        out[place + 4] = C2323
-        out[place + 5] = C1212
-        out[place + 6] = C1111_D33
-        out[place + 7] = C3333_D33
-        out[place + 8] = C1122_D33
-        out[place + 9] = C1133_D33
-        out[place + 10] = C2323_D33
-        out[place + 11] = C1212_D33
-        out[place + 12] = C1111_Dr33
-        out[place + 13] = C3333_Dr33
-        out[place + 14] = C1122_Dr33
-        out[place + 15] = C1133_Dr33
-        out[place + 16] = C2323_Dr33
-        out[place + 17] = C1212_Dr33
-        out[place + 18] = C1111_SR
-        out[place + 19] = C3333_SR
-        out[place + 20] = C1122_SR
-        out[place + 21] = C1133_SR
-        out[place + 22] = C2323_SR
-        out[place + 23] = C1212_SR
-        out[place + 24] = C1111_mu
-        out[place + 25] = C3333_mu
-        out[place + 26] = C1122_mu
-        out[place + 27] = C1133_mu
-        out[place + 28] = C2323_mu
-        out[place + 29] = C1212_mu
-        out[place + 30] = C1111_nu
-        out[place + 31] = C3333_nu
-        out[place + 32] = C1122_nu
-        out[place + 33] = C1133_nu
-        out[place + 34] = C2323_nu
-        out[place + 35] = C1212_nu
+    for start in range(0, all_D33.size, 32):
+        stop = min(start + 32, all_D33.size)
+        some_D33 = all_D33[start:stop]
+        some_Dr33 = all_Dr33[start:stop]
+        some_nu = all_nu[start:stop]
+        for i in range(stop - start):
+            D33 = some_D33[i]
+            Dr33 = some_Dr33[i]
+            nu = some_nu[i]
+            complement = 2 - nu
+            over_complement = 1/complement
+            e0 = 2 - D33
+            half_e1 = D33 + 1
+            density0 = 1024*e0 + 768
+            density1 = 32*e0 + 288
+            density2 = 32*half_e1 + 144
+            density3 = 100*half_e1 + 120
+            density4 = 560*half_e1 + 210
+            w0 = 2 - Dr33
+            half_w1 = Dr33 + 1
+            twice_w1 = 4*half_w1
+            level_w0 = level*w0
+            level_w0_Dr33 = -level
+            level_half_w1 = half_w1*level
+            square0 = level_w0*w0
+            square0_Dr33 = -level_w0 + level_w0_Dr33*w0
+            square1 = level_w0*twice_w1
+            square1_Dr33 = 4*level_w0 + level_w0_Dr33*twice_w1
+            square2 = level_half_w1*twice_w1
+            square2_Dr33 = level*twice_w1 + 4*level_half_w1
+            sum0 = density0*square0 + density1*square1 + density2*square2
+            sum0_D33 = -1024*square0 - 32*square1 + 32*square2
+            sum0_Dr33 = density0*square0_Dr33 + density1*square1_Dr33 + density2*square2_Dr33
+            sum1 = density1*square0 + density2*square1 + density3*square2
+            sum1_D33 = -32*square0 + 32*square1 + 100*square2
+            sum1_Dr33 = density1*square0_Dr33 + density2*square1_Dr33 + density3*square2_Dr33
+            sum2 = density2*square0 + density3*square1 + density4*square2
+            sum2_D33 = 32*square0 + 100*square1 + 560*square2
+            sum2_Dr33 = density2*square0_Dr33 + density3*square1_Dr33 + density4*square2_Dr33
+            served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
+            unserved += not served
+            one_minus_lam = nu*over_complement if served else np.nan
+            one_minus_lam_nu = 2*over_complement*over_complement
+            lam = 1 - one_minus_lam
+            lam_nu = -one_minus_lam_nu
+            four_r1 = 4*sum1
+            four_r1_D33 = 4*sum1_D33
+            four_r1_Dr33 = 4*sum1_Dr33
+            both = sum0 + sum1
+            both_D33 = sum0_D33 + sum1_D33
+            both_Dr33 = sum0_Dr33 + sum1_Dr33
+            later = sum1 + sum2
+            later_D33 = sum1_D33 + sum2_D33
+            later_Dr33 = sum1_Dr33 + sum2_Dr33
+            along = lam*sum1 + sum2
+            along_D33 = lam*sum1_D33 + sum2_D33
+            along_Dr33 = lam*sum1_Dr33 + sum2_Dr33
+            along_nu = lam_nu*sum1
+            C1111 = lam*(four_r1 + sum0) + 3*sum0
+            C1111_D33 = four_r1_D33*lam + sum0_D33*(lam + 3)
+            C1111_Dr33 = four_r1_Dr33*lam + sum0_Dr33*(lam + 3)
+            C1111_nu = lam_nu*(four_r1 + sum0)
+            C3333 = 8*along
+            C3333_D33 = 8*along_D33
+            C3333_Dr33 = 8*along_Dr33
+            C3333_nu = 8*along_nu
+            C1122 = one_minus_lam*sum0
+            C1122_D33 = one_minus_lam*sum0_D33
+            C1122_Dr33 = one_minus_lam*sum0_Dr33
+            C1122_nu = one_minus_lam_nu*sum0
+            C1133 = four_r1*one_minus_lam
+            C1133_D33 = four_r1_D33*one_minus_lam
+            C1133_Dr33 = four_r1_Dr33*one_minus_lam
+            C1133_nu = four_r1*one_minus_lam_nu
+            C2323 = C1133 + lam*(both + 2*later)
+            C2323_D33 = C1133_D33 + both_D33*lam + 2*lam*later_D33
+            C2323_Dr33 = C1133_Dr33 + both_Dr33*lam + 2*lam*later_Dr33
+            C2323_nu = C1133_nu + lam_nu*(both + 2*later)
+            C1212 = C1122 + 2*both*lam
+            C1212_D33 = C1122_D33 + 2*both_D33*lam
+            C1212_Dr33 = C1122_Dr33 + 2*both_Dr33*lam
+            C1212_nu = C1122_nu + 2*both*lam_nu
+            column_C1111[i] = C1111
+            column_C3333[i] = C3333
+            column_C1122[i] = C1122
+            column_C1133[i] = C1133
+            column_C2323[i] = C2323
+            column_C1212[i] = C1212
+            column_C1111_D33[i] = C1111_D33
+            column_C3333_D33[i] = C3333_D33
+            column_C1122_D33[i] = C1122_D33
+            column_C1133_D33[i] = C1133_D33
+            column_C2323_D33[i] = C2323_D33
+            column_C1212_D33[i] = C1212_D33
+            column_C1111_Dr33[i] = C1111_Dr33
+            column_C3333_Dr33[i] = C3333_Dr33
+            column_C1122_Dr33[i] = C1122_Dr33
+            column_C1133_Dr33[i] = C1133_Dr33
+            column_C2323_Dr33[i] = C2323_Dr33
+            column_C1212_Dr33[i] = C1212_Dr33
+            column_C1111_nu[i] = C1111_nu
+            column_C3333_nu[i] = C3333_nu
+            column_C1122_nu[i] = C1122_nu
+            column_C1133_nu[i] = C1133_nu
+            column_C2323_nu[i] = C2323_nu
+            column_C1212_nu[i] = C1212_nu
+        write_rows(columns, 36, 40, out[36*start:36*stop], streamed)
     return unserved
 
 
-def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, out: Array) -> int:
+def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, out: Array, streamed: bool) -> int:
     """Six components over (M/V) l_e^2 k_n,ref and their slopes, when contacts follow their force without slip.
 
     Slopes by D33, Dr33, SR, mu and nu, six each; those by mu are zero. Served for 1/9 <= c/a <= 6 with a and
@@ -196,6 +207,8 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
         C1122_SR, C1133_SR, C2323_SR, C1212_SR, C1111_mu, C3333_mu, C1122_mu, C1133_mu, C2323_mu, C1212_mu,
         C1111_nu, C3333_nu, C1122_nu, C1133_nu, C2323_nu, C1212_nu of each element in turn, NaN for those that
         are not served.
+    streamed : bool
+        Whether results go past the caches, where a compiler knows how.
 
     Returns
     -------
@@ -207,63 +220,87 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
     third = 1/3
     fifteenth = 1/15
     unit = 1/55440
-    C1111_mu = 0
-    C3333_mu = 0
-    C1122_mu = 0
-    C1133_mu = 0
-    C2323_mu = 0
-    C1212_mu = 0
-    scratch = np.ones(3024)
-    keep_S0 = scratch[0:64]
-    keep_S0_D33 = scratch[72:136]
-    keep_S0_Dr33 = scratch[144:208]
-    keep_S1 = scratch[216:280]
-    keep_S1_D33 = scratch[288:352]
-    keep_S1_Dr33 = scratch[360:424]
-    keep_S2 = scratch[432:496]
-    keep_S2_D33 = scratch[504:568]
-    keep_S2_Dr33 = scratch[576:640]
-    keep_S3 = scratch[648:712]
-    keep_a = scratch[720:784]
-    keep_a_D33 = scratch[792:856]
-    keep_a_SR = scratch[864:928]
-    keep_c = scratch[936:1000]
-    keep_c_D33 = scratch[1008:1072]
-    keep_c_SR = scratch[1080:1144]
-    keep_density3 = scratch[1152:1216]
-    keep_density3_D33 = scratch[1224:1288]
-    keep_density4 = scratch[1296:1360]
-    keep_density4_D33 = scratch[1368:1432]
-    keep_density5 = scratch[1440:1504]
-    keep_density5_D33 = scratch[1512:1576]
-    keep_equator_part = scratch[1584:1648]
-    keep_forces = scratch[1656:1720]
-    keep_g0 = scratch[1728:1792]
-    keep_g1 = scratch[1800:1864]
-    keep_g2 = scratch[1872:1936]
-    keep_g3 = scratch[1944:2008]
-    keep_g4 = scratch[2016:2080]
-    keep_g5 = scratch[2088:2152]
-    keep_g6 = scratch[2160:2224]
-    keep_level = scratch[2232:2296]
-    keep_over_complement = scratch[2304:2368]
-    keep_root_a = scratch[2376:2440]
-    keep_root_c = scratch[2448:2512]
-    keep_square0 = scratch[2520:2584]
-    keep_square0_Dr33 = scratch[2592:2656]
-    keep_square1 = scratch[2664:2728]
-    keep_square1_Dr33 = scratch[2736:2800]
-    keep_square2 = scratch[2808:2872]
-    keep_square2_Dr33 = scratch[2880:2944]
-    keep_v = scratch[2952:3016]
+    scratch = scratch_of(3120)
+    keep_S0 = scratch[0:32]
+    keep_S0_D33 = scratch[40:72]
+    keep_S0_Dr33 = scratch[80:112]
+    keep_S1 = scratch[120:152]
+    keep_S1_D33 = scratch[160:192]
+    keep_S1_Dr33 = scratch[200:232]
+    keep_S2 = scratch[240:272]
+    keep_S2_D33 = scratch[280:312]
+    keep_S2_Dr33 = scratch[320:352]
+    keep_S3 = scratch[360:392]
+    keep_a = scratch[400:432]
+    keep_a_D33 = scratch[440:472]
+    keep_a_SR = scratch[480:512]
+    keep_c = scratch[520:552]
+    keep_c_D33 = scratch[560:592]
+    keep_c_SR = scratch[600:632]
+    keep_density3 = scratch[640:672]
+    keep_density3_D33 = scratch[680:712]
+    keep_density4 = scratch[720:752]
+    keep_density4_D33 = scratch[760:792]
+    keep_density5 = scratch[800:832]
+    keep_density5_D33 = scratch[840:872]
+    keep_equator_part = scratch[880:912]
+    keep_forces = scratch[920:952]
+    keep_g0 = scratch[960:992]
+    keep_g1 = scratch[1000:1032]
+    keep_g2 = scratch[1040:1072]
+    keep_g3 = scratch[1080:1112]
+    keep_g4 = scratch[1120:1152]
+    keep_g5 = scratch[1160:1192]
+    keep_g6 = scratch[1200:1232]
+    keep_level = scratch[1240:1272]
+    keep_over_complement = scratch[1280:1312]
+    keep_root_a = scratch[1320:1352]
+    keep_root_c = scratch[1360:1392]
+    keep_square0 = scratch[1400:1432]
+    keep_square0_Dr33 = scratch[1440:1472]
+    keep_square1 = scratch[1480:1512]
+    keep_square1_Dr33 = scratch[1520:1552]
+    keep_square2 = scratch[1560:1592]
+    keep_square2_Dr33 = scratch[1600:1632]
+    keep_v = scratch[1640:1672]
+    column_C1111 = scratch[1680:1712]
+    column_C3333 = scratch[1720:1752]
+    column_C1122 = scratch[1760:1792]
+    column_C1133 = scratch[1800:1832]
+    column_C2323 = scratch[1840:1872]
+    column_C1212 = scratch[1880:1912]
+    column_C1111_D33 = scratch[1920:1952]
+    column_C3333_D33 = scratch[1960:1992]
+    column_C1122_D33 = scratch[2000:2032]
+    column_C1133_D33 = scratch[2040:2072]
+    column_C2323_D33 = scratch[2080:2112]
+    column_C1212_D33 = scratch[2120:2152]
+    column_C1111_Dr33 = scratch[2160:2192]
+    column_C3333_Dr33 = scratch[2200:2232]
+    column_C1122_Dr33 = scratch[2240:2272]
+    column_C1133_Dr33 = scratch[2280:2312]
+    column_C2323_Dr33 = scratch[2320:2352]
+    column_C1212_Dr33 = scratch[2360:2392]
+    column_C1111_SR = scratch[2400:2432]
+    column_C3333_SR = scratch[2440:2472]
+    column_C1122_SR = scratch[2480:2512]
+    column_C1133_SR = scratch[2520:2552]
+    column_C2323_SR = scratch[2560:2592]
+    column_C1212_SR = scratch[2600:2632]
+    column_C1111_nu = scratch[2880:2912]
+    column_C3333_nu = scratch[2920:2952]
+    column_C1122_nu = scratch[2960:2992]
+    column_C1133_nu = scratch[3000:3032]
+    column_C2323_nu = scratch[3040:3072]
+    column_C1212_nu = scratch[3080:3112]
+    columns = scratch[1680:3120]
     unserved = 0
-    for start in range(0, all_D33.size, 64):
-        stop = min(start + 64, all_D33.size)
+    for start in range(0, all_D33.size, 32):
+        stop = min(start + 32, all_D33.size)
         some_D33 = all_D33[start:stop]
         some_Dr33 = all_Dr33[start:stop]
         some_SR = all_SR[start:stop]
         some_nu = all_nu[start:stop]
-        some_out = out[36*start:36*stop]
         for i in range(stop - start):
             D33 = some_D33[i]
             SR = some_SR[i]
@@ -705,41 +742,35 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
             C1212_Dr33 = C1122_Dr33 + 2*both_Dr33*lam
             C1212_SR = C1122_SR + 2*both_SR*lam
             C1212_nu = C1122_nu + 2*both*lam_nu
-            place = 36*i
-            some_out[place + 0] = C1111
-            some_out[place + 1] = C3333
-            some_out[place + 2] = C1122
-            some_out[place + 3] = C1133
-            some_out[place + 4] = C2323
-            some_out[place + 5] = C1212
-            some_out[place + 6] = C1111_D33
-            some_out[place + 7] = C3333_D33
-            some_out[place + 8] = C1122_D33
-            some_out[place + 9] = C1133_D33
-            some_out[place + 10] = C2323_D33
-            some_out[place + 11] = C1212_D33
-            some_out[place + 12] = C1111_Dr33
-            some_out[place + 13] = C3333_Dr33
-            some_out[place + 14] = C1122_Dr33
-            some_out[place + 15] = C1133_Dr33
-            some_out[place + 16] = C2323_Dr33
-            some_out[place + 17] = C1212_Dr33
-            some_out[place + 18] = C1111_SR
-            some_out[place + 19] = C3333_SR
-            some_out[place + 20] = C1122_SR
-            some_out[place + 21] = C1133_SR
-            some_out[place + 22] = C2323_SR
-            some_out[place + 23] = C1212_SR
-            some_out[place + 24] = C1111_mu
-            some_out[place + 25] = C3333_mu
-            some_out[place + 26] = C1122_mu
-            some_out[place + 27] = C1133_mu
-            some_out[place + 28] = C2323_mu
-            some_out[place + 29] = C1212_mu
-            some_out[place + 30] = C1111_nu
-            some_out[place + 31] = C3333_nu
-            some_out[place + 32] = C1122_nu
-            some_out[place + 33] = C1133_nu
-            some_out[place + 34] = C2323_nu
-            some_out[place + 35] = C1212_nu
+            column_C1111[i] = C1111
+            column_C3333[i] = C3333
+            column_C1122[i] = C1122
+            column_C1133[i] = C1133
+            column_C2323[i] = C2323
+            column_C1212[i] = C1212
+            column_C1111_D33[i] = C1111_D33
+            column_C3333_D33[i] = C3333_D33
+            column_C1122_D33[i] = C1122_D33
+            column_C1133_D33[i] = C1133_D33
+            column_C2323_D33[i] = C2323_D33
+            column_C1212_D33[i] = C1212_D33
+            column_C1111_Dr33[i] = C1111_Dr33
+            column_C3333_Dr33[i] = C3333_Dr33
+            column_C1122_Dr33[i] = C1122_Dr33
+            column_C1133_Dr33[i] = C1133_Dr33
+            column_C2323_Dr33[i] = C2323_Dr33
+            column_C1212_Dr33[i] = C1212_Dr33
+            column_C1111_SR[i] = C1111_SR
+            column_C3333_SR[i] = C3333_SR
+            column_C1122_SR[i] = C1122_SR
+            column_C1133_SR[i] = C1133_SR
+            column_C2323_SR[i] = C2323_SR
+            column_C1212_SR[i] = C1212_SR
+            column_C1111_nu[i] = C1111_nu
+            column_C3333_nu[i] = C3333_nu
+            column_C1122_nu[i] = C1122_nu
+            column_C1133_nu[i] = C1133_nu
+            column_C2323_nu[i] = C2323_nu
+            column_C1212_nu[i] = C1212_nu
+        write_rows(columns, 36, 40, out[36*start:36*stop], streamed)
     return unserved

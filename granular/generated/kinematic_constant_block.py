@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``kinematic_constant``; do not edit.
 Source: (2), (4), (7) of Pan & Dong (1999).
 Domain: kinematic_constant: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5.
-Operations: 64 (339 in the outputs as derived).
+Operations: 58 (339 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -35,18 +35,18 @@ def kinematic_constant(D33: Array, Dr33: Array, nu: Array, out: Array) -> int:
     unserved : int
         How many elements are not served.
 
-    Operations: 64.
+    Operations: 58.
     """
     rows = out.reshape(-1, 6)
     with np.errstate(all="ignore"):  # what is not served may be anything
         level = 1/221760
         e0 = 2 - D33
-        e1 = 2*D33 + 2
-        density0 = 1280*e0 + 128*e1
-        density1 = 128*e0 + 48*e1
-        density2 = 48*e0 + 40*e1
-        density3 = 40*e0 + 70*e1
-        density4 = 70*e0 + 315*e1
+        half_e1 = D33 + 1
+        density0 = 1024*e0 + 768
+        density1 = 32*e0 + 288
+        density2 = 32*half_e1 + 144
+        density3 = 100*half_e1 + 120
+        density4 = 560*half_e1 + 210
         w0 = 2 - Dr33
         half_w1 = Dr33 + 1
         twice_w1 = 4*half_w1

@@ -13,10 +13,12 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from granular.generated.rows import scratch_of, write_rows
+
 Array: TypeAlias = npt.NDArray[np.float64]
 
 
-def kinematic_kinetic(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, out: Array) -> int:
+def kinematic_kinetic(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, out: Array, streamed: bool) -> int:
     """Six components over (M/V) l_e^2 k_n,ref when the stiffness of a contact follows its force, without slip.
 
     Served for 1/9 <= c/a <= 6 with a and c the normal forces at equator and pole.
@@ -33,6 +35,8 @@ def kinematic_kinetic(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Ar
         Poisson's ratio of the grain material.
     out : (6 n,) array [-]
         C1111, C3333, C1122, C1133, C2323, C1212 of each element in turn, NaN for those that are not served.
+    streamed : bool
+        Whether results go past the caches, where a compiler knows how.
 
     Returns
     -------
@@ -43,7 +47,7 @@ def kinematic_kinetic(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Ar
     """
     third = 1/3
     unit = 1/443520
-    scratch = np.ones(1008)
+    scratch = scratch_of(1440)
     keep_a = scratch[0:64]
     keep_c = scratch[72:136]
     keep_f0 = scratch[144:208]
@@ -58,6 +62,13 @@ def kinematic_kinetic(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Ar
     keep_root_a = scratch[792:856]
     keep_root_c = scratch[864:928]
     keep_v = scratch[936:1000]
+    column_C1111 = scratch[1008:1072]
+    column_C3333 = scratch[1080:1144]
+    column_C1122 = scratch[1152:1216]
+    column_C1133 = scratch[1224:1288]
+    column_C2323 = scratch[1296:1360]
+    column_C1212 = scratch[1368:1432]
+    columns = scratch[1008:1440]
     unserved = 0
     for start in range(0, all_D33.size, 64):
         stop = min(start + 64, all_D33.size)
@@ -65,7 +76,6 @@ def kinematic_kinetic(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Ar
         some_Dr33 = all_Dr33[start:stop]
         some_SR = all_SR[start:stop]
         some_nu = all_nu[start:stop]
-        some_out = out[6*start:6*stop]
         for i in range(stop - start):
             D33 = some_D33[i]
             SR = some_SR[i]
@@ -459,11 +469,11 @@ def kinematic_kinetic(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Ar
             C1133 = four_r1*one_minus_lam
             C2323 = C1133 + lam*(both + 2*later)
             C1212 = C1122 + 2*both*lam
-            place = 6*i
-            some_out[place + 0] = C1111
-            some_out[place + 1] = C3333
-            some_out[place + 2] = C1122
-            some_out[place + 3] = C1133
-            some_out[place + 4] = C2323
-            some_out[place + 5] = C1212
+            column_C1111[i] = C1111
+            column_C3333[i] = C3333
+            column_C1122[i] = C1122
+            column_C1133[i] = C1133
+            column_C2323[i] = C2323
+            column_C1212[i] = C1212
+        write_rows(columns, 6, 72, out[6*start:6*stop], streamed)
     return unserved

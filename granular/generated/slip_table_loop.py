@@ -13,6 +13,8 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from granular.generated.rows import scratch_of
+
 Array: TypeAlias = npt.NDArray[np.float64]
 
 
@@ -43,7 +45,7 @@ def slip_state(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, ou
     """
     third = 1/3
     unit = 1/443520
-    scratch = np.ones(864)
+    scratch = scratch_of(864)
     keep_a = scratch[0:64]
     keep_c = scratch[72:136]
     keep_f0 = scratch[144:208]

@@ -14,10 +14,12 @@ import numpy as np
 import numpy.typing as npt
 from numpy import sqrt
 
+from granular.generated.rows import scratch_of, write_rows
+
 Array: TypeAlias = npt.NDArray[np.float64]
 
 
-def static_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) -> int:
+def static_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array, streamed: bool) -> int:
     """Six components over (M/V) l_e^2 k_n for contacts that are all equally stiff.
 
     Served for branch lengths at pole and equator within a factor 9.
@@ -32,6 +34,8 @@ def static_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) 
         Poisson's ratio of the grain material.
     out : (6 n,) array [-]
         C1111, C3333, C1122, C1133, C2323, C1212 of each element in turn, NaN for those that are not served.
+    streamed : bool
+        Whether results go past the caches, where a compiler knows how.
 
     Returns
     -------
@@ -40,7 +44,7 @@ def static_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) 
 
     Operations: 292.
     """
-    scratch = np.ones(792)
+    scratch = scratch_of(1224)
     keep_h0 = scratch[0:64]
     keep_h1 = scratch[72:136]
     keep_h2 = scratch[144:208]
@@ -52,13 +56,19 @@ def static_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) 
     keep_v = scratch[576:640]
     keep_w0 = scratch[648:712]
     keep_w1 = scratch[720:784]
+    column_C1111 = scratch[792:856]
+    column_C3333 = scratch[864:928]
+    column_C1122 = scratch[936:1000]
+    column_C1133 = scratch[1008:1072]
+    column_C2323 = scratch[1080:1144]
+    column_C1212 = scratch[1152:1216]
+    columns = scratch[792:1224]
     unserved = 0
     for start in range(0, all_D33.size, 64):
         stop = min(start + 64, all_D33.size)
         some_D33 = all_D33[start:stop]
         some_Dr33 = all_Dr33[start:stop]
         some_nu = all_nu[start:stop]
-        some_out = out[6*start:6*stop]
         for i in range(stop - start):
             Dr33 = some_Dr33[i]
             w0 = 2 - Dr33
@@ -318,11 +328,11 @@ def static_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array) 
             C3333 = fifteen_N33*fifteen_N33*over_bulk*(complement*p1 + p0*share)
             C1133 = fifteen_N11*fifteen_N33*mixed*over_bulk
             C2323 = 2*fifteen_N11*fifteen_N11*fifteen_N33*fifteen_N33*gate*share/vertical
-            place = 6*i
-            some_out[place + 0] = C1111
-            some_out[place + 1] = C3333
-            some_out[place + 2] = C1122
-            some_out[place + 3] = C1133
-            some_out[place + 4] = C2323
-            some_out[place + 5] = C1212
+            column_C1111[i] = C1111
+            column_C3333[i] = C3333
+            column_C1122[i] = C1122
+            column_C1133[i] = C1133
+            column_C2323[i] = C2323
+            column_C1212[i] = C1212
+        write_rows(columns, 6, 72, out[6*start:6*stop], streamed)
     return unserved

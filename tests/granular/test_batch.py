@@ -63,7 +63,7 @@ def test_engines_give_the_same_bits(kernel):
     np.testing.assert_array_equal(by_numpy, compiled)
     assert unserved.size == left.size == 0
     plain = np.empty(6 * 300)
-    assert kernel.loop()(*(x[-300:] for x in inputs), plain) == 0
+    assert kernel.loop()(*(x[-300:] for x in inputs), plain, False) == 0
     np.testing.assert_array_equal(plain.reshape(-1, 6), by_numpy[-300:])
 
 

@@ -147,7 +147,7 @@ def test_engines_give_the_same_bits(friction):
     np.testing.assert_array_equal(by_numpy, compiled)
     np.testing.assert_array_equal(unserved, left)
     plain = np.empty(6 * 60)
-    kernel.loop()(*(x[700:760] for x in columns), *kernel.tables, plain)
+    kernel.loop()(*(x[700:760] for x in columns), *kernel.tables, plain, False)
     np.testing.assert_array_equal(plain.reshape(-1, 6), by_numpy[700:760])
 
 

@@ -224,7 +224,7 @@ def test_loops_are_the_blocks():
     ratio = np.clip(ratio, 0.4, 2.5)
     for kernel, inputs in ((kernels.CONSTANT, (d, dr, nu)), (kernels.KINETIC, (d, dr, ratio, nu))):
         one, other = np.empty(40 * 36), np.empty(40 * 36)
-        assert kernel.loop()(*inputs, one) == kernel.array()(*inputs, other) == 0
+        assert kernel.loop()(*inputs, one, False) == kernel.array()(*inputs, other) == 0
         assert one.tobytes() == other.tobytes()
 
 

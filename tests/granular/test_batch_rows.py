@@ -1,0 +1,74 @@
+"""Results on their way from columns to rows: woven by a compiler, in plain Python, and past the caches."""
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+
+from granular.batch import evaluation
+from granular.batch.compiled_rows import row_functions
+from granular.batch.constant import KINEMATIC
+from granular.batch.evaluation import evaluate_batch
+from granular.batch.kinetic import KINEMATIC as KINETIC
+from granular.generated import rows
+
+numba = pytest.importorskip("numba")
+GUARD = -7.25
+
+
+@lru_cache
+def woven(width, spacing):
+    """The compiled form for one kind of row; its numbers have to stand in the code that calls it."""
+    known = {**row_functions()}
+    exec(f"def write(columns, out, streamed):\n    write_rows(columns, {width}, {spacing}, out, streamed)\n", known)
+    return numba.njit(known["write"])
+
+
+def place(size, bytes_off_line):
+    """An array of guards that begins so many bytes after a multiple of 64."""
+    whole = np.full(size + 16, GUARD)
+    first = (bytes_off_line - whole.ctypes.data) % 64 // 8
+    return whole[first:first + size]
+
+
+@pytest.mark.parametrize(("width", "spacing"), [(6, 72), (36, 40)])
+@pytest.mark.parametrize("streamed", [False, True])
+def test_woven_rows_are_the_plain_ones(width, spacing, streamed):
+    # an element lost at either end, columns exchanged, a store past the end, or one that faults where it is not aligned
+    columns = np.arange(float(width * spacing))
+    for count in range(spacing - 7):
+        for off_line in (0, 16, 32, 48) if streamed else (0, 8, 16, 24, 56):
+            found, expected = place(width * count + 4, off_line), place(width * count + 4, off_line)
+            woven(width, spacing)(columns, found[:width * count], streamed)
+            rows.write_rows(columns, width, spacing, expected[:width * count], streamed)
+            np.testing.assert_array_equal(found, expected)
+            assert (found[width * count:] == GUARD).all()
+
+
+def test_scratch_is_new_in_every_call():
+    # scratch that keeps what an earlier call left, or that two calls share
+    known = {**row_functions(), "rows": rows}
+    exec("def use(x):\n    kept = scratch_of(40)\n    before = kept.sum()\n    kept[:] = x\n    return before\n", known)
+    use = numba.njit(known["use"])
+    assert [use(3.0), use(4.0)] == [0.0, 0.0]
+    assert rows.scratch_of(5).tolist() == [0.0] * 5
+
+
+@pytest.mark.parametrize("kernel", [KINEMATIC, KINETIC], ids=lambda kernel: kernel.name)
+@pytest.mark.parametrize("off_line", [0, 8, 16, 48])
+def test_results_past_the_caches_have_the_same_bits(kernel, off_line, monkeypatch):
+    # a row that stays where it was, in blocks and passes that are not full, or a store where memory is not aligned
+    size = 2 * evaluation.BLOCK["compiled"] + 77
+    rng = np.random.default_rng(8)
+    drawn = {"D33": rng.uniform(-1, 2, size), "Dr33": rng.uniform(-0.9, 1.9, size),
+             "stress_ratio": rng.uniform(0.4, 2.5, size), "poisson_ratio": rng.uniform(0, 0.5, size)}
+    inputs = [drawn[name] for name in kernel.inputs]
+    inputs[0][[0, 5, size - 1]] = [np.nan, 3.0, -2.0]
+    out, expected = place(6 * size, off_line).reshape(size, 6), np.empty((size, 6))
+    unserved = evaluate_batch(kernel, inputs, expected, engine="numpy")
+    monkeypatch.setattr(evaluation, "STREAMED", 0)
+    for threads in (1, 2):
+        out[:] = GUARD
+        left = evaluate_batch(kernel, inputs, out, engine="compiled", threads=threads)
+        np.testing.assert_array_equal(left, unserved)
+        np.testing.assert_array_equal(out, expected)
