@@ -2,8 +2,7 @@
 
 The density has rank two, so that E W^2 is a form of degree three in s and y. The density is averaged first, and the
 squares of the branch length weight its integrals: what is common to all components is in these, so that no operation is
-left that only scales. Contacts that follow their force have other integrals and the same arithmetic from the averages of
-the density on.
+left that only scales. Contacts that follow their force have other integrals, and the same arithmetic from there on.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ SUMS = sp.symbols("sum0:3", nonnegative=True)
 """Moments of E W^2 over 8: what the components are made of."""
 
 level, complement, over_complement = sp.symbols("level complement over_complement", positive=True)
-half_w1, twice_w1 = sp.symbols("half_w1 twice_w1", nonnegative=True)
+half_e1, half_w1, twice_w1 = sp.symbols("half_e1 half_w1 twice_w1", nonnegative=True)
 four_r1, both, later, along = sp.symbols("four_r1 both later along", nonnegative=True)
 
 DENOMINATOR = sp.ilcm(*(axial_moment(5 - m, m).q for m in range(6)))
@@ -46,6 +45,14 @@ def domain() -> tuple[sp.Rel, ...]:
         (sp.Ge, D33, -1), (sp.Le, D33, 2), (sp.Gt, Dr33, -1), (sp.Lt, Dr33, 2), (sp.Ge, nu, 0), (sp.Le, nu, half)))
 
 
+def domain_of_fabric() -> tuple[sp.Rel, ...]:
+    """The same domain by the signs of products, most of which are computed anyway.
+
+    Of two factors only one can be negative, and none of these products is rounded to zero.
+    """
+    return (sp.Ge(e0 * half_e1, 0, evaluate=False), sp.Gt(SQUARES[1], 0, evaluate=False), *domain()[-2:])
+
+
 def integer_moment(m: int) -> sp.Integer:
     """Integral of s^(5-m) y^m over x from 0 to 1, times the common denominator."""
     return sp.Integer(axial_moment(5 - m, m) * DENOMINATOR)
@@ -59,7 +66,6 @@ def density_assignments(integrals: Sequence[sp.Expr], density: tuple[sp.Symbol, 
 
 def integer_density_assignments() -> Assignments:
     """The same for integrals that are whole numbers: what the two have in common goes with 2 - D33 + 1 + D33 = 3."""
-    half_e1 = sp.Symbol("half_e1", nonnegative=True)
     lines: list[tuple[sp.Symbol, sp.Expr]] = [(e0, 2 - D33), (half_e1, 1 + D33)]
     for j, one in enumerate(DENSITY):
         by_e0, by_half = integer_moment(j), 2 * integer_moment(j + 1)
@@ -119,7 +125,7 @@ def constant_function() -> Function:
 @cache
 def batch() -> tuple[BatchFunction, ...]:
     """What is emitted for batches."""
-    return (BatchFunction(constant_function(), domain(), one_minus_lam),)
+    return (BatchFunction(constant_function(), domain(), one_minus_lam, tested=domain_of_fabric()),)
 
 
 def substituted(assignments: Assignments) -> dict[sp.Symbol, sp.Expr]:

@@ -22,6 +22,7 @@ from derivations.batch_constant import (
     component_assignments,
     density_assignments,
     domain,
+    domain_of_fabric,
     fabric_assignments,
     level,
     over_complement,
@@ -165,7 +166,7 @@ def _partials() -> dict[sp.Symbol, Partials]:
 @cache
 def batch() -> tuple[BatchFunction, ...]:
     """What is emitted for batches."""
-    return (BatchFunction(constant_function(), domain(), one_minus_lam),
+    return (BatchFunction(constant_function(), domain(), one_minus_lam, tested=domain_of_fabric()),
             BatchFunction(kinetic_function(), served(), level,
                           (c, root_c, v, INTEGRALS[-1], slope_symbol(c, SR), WEIGHTED[-1])))
 

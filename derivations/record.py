@@ -124,6 +124,8 @@ class BatchFunction:
         works on several elements at once only if what it does to one is short.
     apart : bool
         Whether a result of all elements is followed by the next one, in place of all results of one element.
+    tested : tuple of relation
+        What is tested where ``serves`` can be told with fewer operations; empty where it cannot.
     """
 
     function: Function
@@ -131,6 +133,7 @@ class BatchFunction:
     gate: sp.Symbol
     passes: tuple[sp.Symbol, ...] = ()
     apart: bool = False
+    tested: tuple[sp.Rel, ...] = ()
 
 
 @dataclass(frozen=True)

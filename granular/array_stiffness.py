@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from granular.batch import constant, slip
+from granular.batch import kinetic as with_force
 from granular.batch.arguments import (
     common_shape,
     hypothesis_named,
     in_range,
+    is_inside,
     real_array,
     require_place,
     require_range,
     require_sticking,
 )
+from granular.batch.engines import engine_named
+from granular.batch.evaluation import evaluate_batch
 from granular.batch.full_precision import with_equal_contacts, with_forces
 from granular.errors import UnknownChoice, ValueOutOfRange
 from granular.hypothesis import Hypothesis
@@ -161,9 +166,6 @@ def axial_stiffness(
 def _kernel(*, kinetic: bool, hypothesis: Hypothesis, friction: NDArray[Any] | None, size: int,
             rtol: float | None) -> Kernel | None:
     """The kernel that is asked first, where there is one."""
-    from granular.batch import constant, slip
-    from granular.batch import kinetic as with_force
-
     if not kinetic:
         return constant.STATIC if hypothesis is Hypothesis.STATIC else constant.KINEMATIC
     if hypothesis is Hypothesis.STATIC:
@@ -176,17 +178,13 @@ def _by_kernel(kernel: Kernel | None, given: dict[str, NDArray[Any]], result: Ar
     """Let a kernel fill in what it serves; what is left is every element that it does not, and every invalid one."""
     import numpy as np
 
-    from granular.batch.evaluation import evaluate_batch
-
     if kernel is None:
         return np.arange(result.size // result.shape[-1])
     unserved = evaluate_batch(kernel, [given[name] for name in kernel.inputs], result, engine=engine, threads=threads)
-    unread = {name: array for name, array in given.items() if name not in kernel.inputs}
-    if unread:
-        inside = in_range(unread)
-        if not inside.all():
-            outside = np.flatnonzero(~np.broadcast_to(inside, result.shape[:-1]))
-            return np.union1d(unserved, outside)
+    for name, array in given.items():
+        if name not in kernel.inputs and not is_inside(name, array):
+            outside = ~np.broadcast_to(in_range({name: array}), result.shape[:-1])
+            unserved = np.union1d(unserved, np.flatnonzero(outside))
     return unserved
 
 
@@ -224,8 +222,6 @@ def _fill(result: Array, index: Index, given: dict[str, NDArray[Any]], kinetic: 
 
 
 def _require_options(invalid: str, engine: str | None, threads: int | None) -> None:
-    from granular.batch.engines import engine_named
-
     engine_named(engine)
     if invalid not in INVALID:
         raise UnknownChoice(f"invalid = {invalid!r}", allowed=f"allowed: {', '.join(map(repr, INVALID))}",

@@ -54,12 +54,12 @@ def polynomials(table: Array, v: Array) -> Array:
     return total
 '''
 
-PASS, SHORT_PASS, GAP = 64, 32, 8
-"""Elements that one pass of a loop goes over, and the numbers between what is kept of them: it all stays in the nearest
-cache, and no two columns of it are a power of two apart."""
+PASSES, GAP = (128, 64, 32), 8
+"""Elements that one pass of a loop may go over, and the numbers between what is kept of them, so that no two columns of
+it are a power of two apart."""
 
-MANY = 24
-"""Columns from which on passes are short."""
+ROOM = 12 * 1024
+"""Bytes that what is kept may take: it stays in the nearest cache beside what is read and written."""
 
 SHORT = 8
 """Terms up to which even and odd powers of a polynomial are summed apart: there are too few polynomials beside it."""
@@ -99,7 +99,8 @@ def _imports(bodies: list[str]) -> str:
 def _imports_of_loop(derivation: Derivation, bodies: list[str]) -> str:
     """Those of a block, and the two functions that every loop calls."""
     names = "scratch_of" if all(one.apart for one in derivation.batch) else "scratch_of, write_rows"
-    return _imports(bodies).replace("\nArray: TypeAlias", f"\nfrom granular.generated.rows import {names}\n\nArray: TypeAlias")
+    ours = f"\nfrom granular.generated.rows import {names}\n\nArray: TypeAlias"
+    return _imports(bodies).replace("\nArray: TypeAlias", ours)
 
 
 def _header(derivation: Derivation, kind: str) -> str:
@@ -133,7 +134,11 @@ def _docstring(one: BatchFunction) -> str:
 
 
 def _served(one: BatchFunction) -> str:
-    return " & ".join(f"({_relation(relation)})" for relation in one.serves)
+    return " & ".join(f"({_relation(relation)})" for relation in _tested(one))
+
+
+def _tested(one: BatchFunction) -> tuple[sp.Rel, ...]:
+    return one.tested or one.serves
 
 
 def _relation(relation: sp.Rel) -> str:
@@ -158,7 +163,7 @@ def _loop(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
     passes = _passes(one)
     kept = sorted(_kept(one, passes))
     columns = [] if one.apart else [r.name for r in returns]
-    length = PASS if len(kept) + len(columns) < MANY else SHORT_PASS
+    length = _length(len(kept) + len(columns))
     spacing = length + GAP
     numbers = {symbol.name: number for symbol, number in one.function.assignments if number.is_number}
     lines = [f"{name} = {python_source(number)}" for name, number in numbers.items() if name not in columns]
@@ -187,6 +192,11 @@ def _loop(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
     return "\n".join([_loop_head(one), *_indented(lines), "    return unserved\n"])
 
 
+def _length(columns: int) -> int:
+    """Elements of a pass: as many as there is room for."""
+    return next((length for length in PASSES if 8 * columns * (length + GAP) <= ROOM), PASSES[-1])
+
+
 def _loop_head(one: BatchFunction) -> str:
     signature, head = _signature(one), _docstring(one)
     for argument in one.function.arguments:
@@ -194,8 +204,8 @@ def _loop_head(one: BatchFunction) -> str:
         head = head.replace(f"    {argument.name} : (n,)", f"    all_{argument.name} : (n,)", 1)
     if not one.apart:
         signature = signature.replace("out: Array", "out: Array, streamed: bool")
-        head = head.replace("\n\n    Returns\n", "\n    streamed : bool\n        Whether results go past the caches, where "
-                            "a compiler knows how.\n\n    Returns\n", 1)
+        said = "    streamed : bool\n        Whether results go past the caches, where a compiler knows how.\n"
+        head = head.replace("\n\n    Returns\n", f"\n{said}\n    Returns\n", 1)
     return f"{signature}\n{head}"
 
 
@@ -218,7 +228,7 @@ def _needed(one: BatchFunction, members: list[Assignment]) -> set[str]:
     """Names that a pass reads, those that it assigns itself among them."""
     read = set().union(*(e.free_symbols - {e.args[0]} if _is_polynomial(e) else e.free_symbols for _, e in members))
     if any(symbol == one.gate for symbol, _ in members):
-        read |= set().union(*(relation.free_symbols for relation in one.serves))
+        read |= set().union(*(relation.free_symbols for relation in _tested(one)))
     return {symbol.name for symbol in read}
 
 
@@ -259,8 +269,8 @@ def _only_keeps(one: BatchFunction, members: list[Assignment]) -> bool:
     """Whether a pass reads and writes only what is kept, and leaves registers for a second element."""
     arguments = {a.name for a in one.function.arguments}
     polynomials = sum(1 for _, expression in members if _is_polynomial(expression))
-    return (not arguments & _needed(one, members) and not any(
-        symbol == one.gate or symbol in one.function.returns for symbol, _ in members) and 0 < polynomials <= SIDE_BY_SIDE)
+    writes = any(symbol == one.gate or symbol in one.function.returns for symbol, _ in members)
+    return not arguments & _needed(one, members) and not writes and 0 < polynomials <= SIDE_BY_SIDE
 
 
 def _twice(body: list[str]) -> list[str]:

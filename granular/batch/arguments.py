@@ -120,13 +120,16 @@ def common_shape(given: dict[str, NDArray[Any]]) -> tuple[int, ...]:
     -----
     Source: NumPy's rules.
     """
+    shapes = {array.shape for array in given.values() if array.shape}
+    if len(shapes) < 2:
+        return shapes.pop() if shapes else ()
     import numpy as np
 
     try:
-        return np.broadcast_shapes(*(array.shape for array in given.values()))
+        return np.broadcast_shapes(*shapes)
     except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items() if array.shape)
-        raise ArrayNotUsable(f"shapes {shapes}", allowed="needed: shapes that broadcast together",
+        found = ", ".join(f"{name} {array.shape}" for name, array in given.items() if array.shape)
+        raise ArrayNotUsable(f"shapes {found}", allowed="needed: shapes that broadcast together",
                              remedy="Insert axes of length 1, for example D33[:, None] with Dr33.") from None
 
 
@@ -175,7 +178,7 @@ def require_place(out: object, shape: tuple[int, ...]) -> Array:
 class _Interval:
     """What an argument may be, and how another value is refused; a comparison with NaN is false."""
 
-    holds: Callable[[NDArray[Any]], Mask]
+    holds: Callable[[Any], Mask]
     refusal: type[FabricOutOfRange | ValueOutOfRange]
     allowed: str
 
@@ -246,6 +249,35 @@ def in_range(given: dict[str, NDArray[Any]]) -> Mask:
     """
     inside: Mask = reduce(and_, (INTERVALS[name].holds(array) for name, array in given.items()))
     return inside
+
+
+def is_inside(name: str, argument: NDArray[Any]) -> bool:
+    """Whether all of an argument is inside its interval; quick for a single value.
+
+    Parameters
+    ----------
+    name : str
+        As for :func:`require_range`.
+    argument : (...) array
+        Real numbers [-].
+
+    Returns
+    -------
+    bool
+        False for NaN.
+
+    Notes
+    -----
+    Source: :func:`require_range`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> is_inside("stress_ratio", np.array(2.0)), is_inside("stress_ratio", np.array([2.0, 0.0]))
+    (True, False)
+    """
+    holds = INTERVALS[name].holds
+    return bool(holds(argument).all() if argument.ndim else holds(argument.item()))
 
 
 def require_sticking(D33: Array, stress_ratio: Array, friction: Array, index: Index, size: int) -> None:

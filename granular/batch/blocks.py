@@ -12,6 +12,32 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
+def is_view(argument: NDArray[Any], shape: tuple[int, ...]) -> bool:
+    """Whether blocks of an argument can be read where they are.
+
+    Parameters
+    ----------
+    argument : (...) array
+        Real numbers of any type [any unit].
+    shape : tuple of int
+        Common shape of all arguments.
+
+    Returns
+    -------
+    bool
+        True for float64 of that shape in C order.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> is_view(np.zeros((2, 3)), (2, 3)), is_view(np.zeros(3), (2, 3))
+    (True, False)
+    """
+    import numpy as np
+
+    return argument.dtype == np.float64 and argument.shape == shape and argument.flags.carray
+
+
 def block_reader(argument: NDArray[Any], shape: tuple[int, ...], block: int) -> Callable[[int, int], Array]:
     """How to read one argument block by block.
 
@@ -46,8 +72,7 @@ def block_reader(argument: NDArray[Any], shape: tuple[int, ...], block: int) -> 
     if argument.size == 1:
         same: Array = np.full(block, argument.item(), dtype=np.float64)
         return lambda start, stop: same[:stop - start]
-    plain = argument.dtype == np.float64 and argument.dtype.isnative and argument.flags.aligned
-    if plain and argument.shape == shape and argument.flags.c_contiguous:
+    if is_view(argument, shape):
         flat: Array = argument.reshape(-1)
         return lambda start, stop: flat[start:stop]
     scratch: Array = np.empty(block)

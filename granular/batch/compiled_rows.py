@@ -1,4 +1,4 @@
-"""What stands for ``granular.generated.rows`` in compiled loops: scratch on the stack, rows woven by vector instructions.
+"""What stands for ``granular.generated.rows`` in compiled loops: scratch on the stack, rows woven by vector code.
 
 A compiler that turns a loop into vector code has several elements at hand, a result of each in one register; in memory
 all results of an element come first. Left to itself it weaves six columns into rows with three times the instructions
@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
+from importlib import import_module
 from typing import Any
 
 WOVEN_BY_FOUR = 6
@@ -43,20 +44,20 @@ def row_functions() -> dict[str, Callable[..., Any]]:
     they return. Source: the language of LLVM.
     """
     from numba import types
-    from numba.core import cgutils
     from numba.extending import intrinsic
-    from numba.np import arrayobj
+
+    code, arrays = _module("numba.core.cgutils"), _module("numba.np.arrayobj")
 
     @intrinsic(prefer_literal=True)
     def scratch_of(typing: Any, size: Any) -> Any:
         count, array = size.literal_value, types.Array(types.float64, 1, "C")
 
         def make(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            whole = cgutils.alloca_once(builder, context.get_value_type(types.float64), size=count)
+            whole = code.alloca_once(builder, context.get_value_type(types.float64), size=count)
             whole.align = LINE
-            cgutils.memset(builder, whole, context.get_constant(types.intp, 8 * count), 0)
+            code.memset(builder, whole, context.get_constant(types.intp, 8 * count), 0)
             made = context.make_array(array)(context, builder)
-            arrayobj.populate_array(made, data=whole, shape=[context.get_constant(types.intp, count)],
+            arrays.populate_array(made, data=whole, shape=[context.get_constant(types.intp, count)],
                                     strides=[context.get_constant(types.intp, 8)],
                                     itemsize=context.get_constant(types.intp, 8), meminfo=None)
             return made._getvalue()
@@ -82,6 +83,11 @@ def row_functions() -> dict[str, Callable[..., Any]]:
     return {"scratch_of": scratch_of, "write_rows": write_rows}
 
 
+def _module(name: str) -> Any:
+    """A part of numba whose functions have no types."""
+    return import_module(name)
+
+
 class _Weave:
     """Instructions that bring columns into rows, a few elements at a time."""
 
@@ -97,7 +103,7 @@ class _Weave:
         return self.ir.Constant(self.ir.IntType(64), value)
 
     def all(self, count: Any, *, streamed: bool) -> None:
-        """Every row; those before the first that a store of four numbers may begin with, and those left, by themselves."""
+        """Every row: what comes before the first that stores of four may begin with, and what is left, one by one."""
         builder, first = self.builder, self.number(0)
         size = 4 if self.width <= WOVEN_BY_FOUR else 2
         if streamed and size == 4:
@@ -115,9 +121,7 @@ class _Weave:
 
     @contextmanager
     def _each(self, count: Any) -> Iterator[Any]:
-        from numba.core import cgutils
-
-        with cgutils.for_range(self.builder, count) as loop:
+        with _module("numba.core.cgutils").for_range(self.builder, count) as loop:
             yield loop.index
 
     def _one(self, i: Any, *, streamed: bool) -> None:

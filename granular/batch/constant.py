@@ -2,30 +2,36 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from granular.batch.kernel import BlockFunction, Kernel
 
 RELATIVE_ERROR = 2.0**-49
 """Bound of every component that is not subnormal [-]."""
 
 
+@cache
 def _loop() -> BlockFunction:
     from granular.generated.kinematic_constant_loop import kinematic_constant
 
     return kinematic_constant
 
 
+@cache
 def _block() -> BlockFunction:
     from granular.generated.kinematic_constant_block import kinematic_constant
 
     return kinematic_constant
 
 
+@cache
 def _static_loop() -> BlockFunction:
     from granular.generated.static_constant_loop import static_constant
 
     return static_constant
 
 
+@cache
 def _static_block() -> BlockFunction:
     from granular.generated.static_constant_block import static_constant
 

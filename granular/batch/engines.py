@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import sys
 from collections.abc import Callable, Mapping
 from enum import StrEnum
 from importlib import import_module
@@ -129,6 +130,8 @@ def compiler_installed() -> bool:
     -----
     Source: the import system.
     """
+    if sys.modules.get("numba"):
+        return True
     try:
         import_module("numba")
     except ImportError:

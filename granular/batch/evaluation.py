@@ -6,7 +6,7 @@ import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from granular.batch.blocks import block_reader
+from granular.batch.blocks import block_reader, is_view
 from granular.batch.engines import Engine, block_function, choose_engine
 from granular.batch.kernel import Kernel
 
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 BLOCK = {Engine.NUMPY: 4096, Engine.COMPILED: 1 << 15, Engine.FUSED: 1 << 15}
 """Elements at a time: as many as stay in cache with what is computed from them, or with their arguments alone."""
+
+LONG_BLOCK = 1 << 17
+"""Elements at a time of a compiled loop whose arguments are read where they are: only calls cost anything then."""
 
 SHARE = 1 << 18
 """Elements that are worth a thread of their own."""
@@ -76,8 +79,11 @@ def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *
     flat, width = out.reshape(-1), out.shape[-1]
     size = flat.size // width
     chosen = choose_engine(kernel, size, engine)
-    function, block = block_function(kernel, chosen), min(BLOCK[chosen], max(1, size))
-    how = () if chosen is Engine.NUMPY else (out.nbytes >= STREAMED and out.ctypes.data % 16 == 0,)
+    in_place = chosen is not Engine.NUMPY and all(is_view(argument, shape) for argument in inputs)
+    function, block = block_function(kernel, chosen), min(LONG_BLOCK if in_place else BLOCK[chosen], max(1, size))
+    streamed = chosen is not Engine.NUMPY and out.nbytes >= STREAMED and out.ctypes.data % 16 == 0
+    lead = int(streamed and out.ctypes.data % 32 > 0)  # the other rows then begin where they are written fastest
+    how = () if chosen is Engine.NUMPY else (streamed,)
 
     def work(first: int, last: int) -> list[Index]:
         readers = [block_reader(argument, shape, block) for argument in inputs]
@@ -89,14 +95,15 @@ def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *
                 unserved.append(start + np.flatnonzero(np.isnan(here[::width])))
         return unserved
 
-    bounds = shares(size, block, threads)
+    parts = work(0, lead)
+    bounds = [(lead + first, lead + last) for first, last in shares(size - lead, block, threads)]
     if len(bounds) == 1:
-        parts = work(*bounds[0])
+        parts += work(*bounds[0])
     else:
         from concurrent.futures import ThreadPoolExecutor
 
         with ThreadPoolExecutor(len(bounds)) as pool:
-            parts = [part for found in pool.map(lambda pair: work(*pair), bounds) for part in found]
+            parts += [part for found in pool.map(lambda pair: work(*pair), bounds) for part in found]
     return np.concatenate(parts) if parts else np.empty(0, dtype=np.intp)
 
 

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from granular.batch.kernel import BlockFunction, Kernel
 
 RELATIVE_ERROR = 2.0**-49
 """Bound of every component that is not subnormal [-]."""
 
 
+@cache
 def _loop() -> BlockFunction:
     from granular.generated.kinetic_loop import kinematic_kinetic
 
     return kinematic_kinetic
 
 
+@cache
 def _block() -> BlockFunction:
     from granular.generated.kinetic_block import kinematic_kinetic
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from granular.batch.kernel import BlockFunction, Kernel
@@ -112,12 +112,14 @@ def _kernel(kind: str, table: Table) -> Kernel:
                   tables=(table.coefficients, table.middle, table.narrowness))
 
 
+@cache
 def _array() -> BlockFunction:
     from granular.batch.slip_array import partial_slip
 
     return partial_slip
 
 
+@cache
 def _loop() -> BlockFunction:
     from granular.batch.slip_loop import partial_slip
 

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from granular.batch.arguments import common_shape, hypothesis_named, in_range, real_array, require_range, require_sticking
+from granular.batch.arguments import (
+    common_shape,
+    hypothesis_named,
+    is_inside,
+    real_array,
+    require_range,
+    require_sticking,
+)
 from granular.errors import ArrayNotUsable, SlopeInfinite, ValueOutOfRange
 from granular.hypothesis import Hypothesis
 
@@ -139,7 +146,7 @@ def axial_gradient(
     else:
         rest = evaluate_batch(kernel, [given[name] for name in kernel.inputs], rows, engine=engine, threads=threads)
     served = kernel.inputs if kernel else ()
-    if rest.size or not all(in_range({name: array}).all() for name, array in given.items() if name not in served):
+    if rest.size or not all(is_inside(name, array) for name, array in given.items() if name not in served):
         require_range(given)  # a kernel serves nothing that is outside
     if rest.size:
         _fill(rows.reshape(-1, COLUMNS), rest, given, shape, chosen, kinetic=kinetic)

@@ -2,30 +2,36 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from granular.batch.kernel import BlockFunction, Kernel
 
 RELATIVE_ERROR = 2.0**-47
 """Bound of every slope, of the larger of the slope and the largest component [-]."""
 
 
+@cache
 def _constant_loop() -> BlockFunction:
     from granular.generated.gradients_loop import constant_rows
 
     return constant_rows
 
 
+@cache
 def _constant_block() -> BlockFunction:
     from granular.generated.gradients_block import constant_rows
 
     return constant_rows
 
 
+@cache
 def _kinetic_loop() -> BlockFunction:
     from granular.generated.gradients_loop import kinetic_rows
 
     return kinetic_rows
 
 
+@cache
 def _kinetic_block() -> BlockFunction:
     from granular.generated.gradients_block import kinetic_rows
 

@@ -122,7 +122,7 @@ def constant_rows(D33: Array, Dr33: Array, nu: Array, out: Array) -> int:
         sum2 = density2*square0 + density3*square1 + density4*square2
         sum2_D33 = 32*square0 + 100*square1 + 560*square2
         sum2_Dr33 = density2*square0_Dr33 + density3*square1_Dr33 + density4*square2_Dr33
-        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
+        served = (e0*half_e1 >= 0.0) & (square1 > 0.0) & (nu >= 0.0) & (nu <= 0.5)
         one_minus_lam = np.where(served, nu*over_complement, np.nan)
         one_minus_lam_nu = 2*over_complement*over_complement
         lam = 1 - one_minus_lam

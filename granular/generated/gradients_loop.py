@@ -114,7 +114,7 @@ def constant_rows(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array, st
             sum2 = density2*square0 + density3*square1 + density4*square2
             sum2_D33 = 32*square0 + 100*square1 + 560*square2
             sum2_Dr33 = density2*square0_Dr33 + density3*square1_Dr33 + density4*square2_Dr33
-            served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
+            served = (e0*half_e1 >= 0.0) & (square1 > 0.0) & (nu >= 0.0) & (nu <= 0.5)
             unserved += not served
             one_minus_lam = nu*over_complement if served else np.nan
             one_minus_lam_nu = 2*over_complement*over_complement

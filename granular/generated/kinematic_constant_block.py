@@ -60,7 +60,7 @@ def kinematic_constant(D33: Array, Dr33: Array, nu: Array, out: Array) -> int:
         sum2 = density2*square0 + density3*square1 + density4*square2
         complement = 2 - nu
         over_complement = 1/complement
-        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
+        served = (e0*half_e1 >= 0.0) & (square1 > 0.0) & (nu >= 0.0) & (nu <= 0.5)
         one_minus_lam = np.where(served, nu*over_complement, np.nan)
         lam = 1 - one_minus_lam
         four_r1 = 4*sum1

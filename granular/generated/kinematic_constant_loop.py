@@ -42,17 +42,17 @@ def kinematic_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Arra
     Operations: 58.
     """
     level = 1/221760
-    scratch = scratch_of(432)
-    column_C1111 = scratch[0:64]
-    column_C3333 = scratch[72:136]
-    column_C1122 = scratch[144:208]
-    column_C1133 = scratch[216:280]
-    column_C2323 = scratch[288:352]
-    column_C1212 = scratch[360:424]
-    columns = scratch[0:432]
+    scratch = scratch_of(816)
+    column_C1111 = scratch[0:128]
+    column_C3333 = scratch[136:264]
+    column_C1122 = scratch[272:400]
+    column_C1133 = scratch[408:536]
+    column_C2323 = scratch[544:672]
+    column_C1212 = scratch[680:808]
+    columns = scratch[0:816]
     unserved = 0
-    for start in range(0, all_D33.size, 64):
-        stop = min(start + 64, all_D33.size)
+    for start in range(0, all_D33.size, 128):
+        stop = min(start + 128, all_D33.size)
         some_D33 = all_D33[start:stop]
         some_Dr33 = all_Dr33[start:stop]
         some_nu = all_nu[start:stop]
@@ -80,7 +80,7 @@ def kinematic_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Arra
             sum2 = density2*square0 + density3*square1 + density4*square2
             complement = 2 - nu
             over_complement = 1/complement
-            served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5)
+            served = (e0*half_e1 >= 0.0) & (square1 > 0.0) & (nu >= 0.0) & (nu <= 0.5)
             unserved += not served
             one_minus_lam = nu*over_complement if served else np.nan
             lam = 1 - one_minus_lam
@@ -100,5 +100,5 @@ def kinematic_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Arra
             column_C1133[i] = C1133
             column_C2323[i] = C2323
             column_C1212[i] = C1212
-        write_rows(columns, 6, 72, out[6*start:6*stop], streamed)
+        write_rows(columns, 6, 136, out[6*start:6*stop], streamed)
     return unserved
