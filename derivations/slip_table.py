@@ -194,6 +194,6 @@ def slip_table() -> Derivation:
         inputs=(margin, eta, onset_strength),
         outputs=tuple(Output(symbol, e) for symbol, e in zip(SINGULAR, singular_moments(), strict=True)),
         steps=(_coordinate_step(), _root_step(), _branch_step(), slip_table_batch.components_step()),
-        functions=(onset_part(), slip_table_batch.component_function()),
+        functions=(onset_part(),),
         batch=slip_table_batch.batch(),
     )

@@ -174,7 +174,7 @@ def _loop(one: BatchFunction, tables: dict[str, TruncatedSeries]) -> str:
         places["columns"] = f"scratch[{len(kept) * spacing}:{(len(kept) + len(columns)) * spacing}]"
     lines += [f"{name} = {place}" for name, place in places.items() if name.removeprefix("column_") not in numbers]
     lines += [f"{places[f'column_{name}']} = {python_source(numbers[name])}" for name in columns
-              if name in numbers and numbers[name] != 0]
+              if name in numbers]
     size = f"all_{names[0]}.size"
     lines += ["unserved = 0", f"for start in range(0, {size}, {length}):", f"    stop = min(start + {length}, {size})",
               *(f"    some_{name} = all_{name}[start:stop]" for name in names)]

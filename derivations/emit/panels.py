@@ -1,7 +1,8 @@
 """Polynomials that many elements of a panel share, as loops to be compiled: three at a time, odd and even powers apart.
 
 A processor starts several operations in each cycle but waits for the result of each. Six chains that do not wait for
-one another keep it busy; one Horner chain alone would not.
+one another keep it busy; one Horner chain alone would not. There are more coefficients than registers: they stand on
+the stack as whole vectors, which take twice as long to read where they lie across two lines of the cache.
 """
 
 from __future__ import annotations
@@ -9,11 +10,11 @@ from __future__ import annotations
 TOGETHER = 3
 """Polynomials in one loop."""
 
-SIZES = (4, 7, 10, 11, 12, 13)
-"""Numbers of coefficients for which a loop is emitted."""
+BEGINNINGS = ((11,), (4, 4))
+"""Rows with which a sum begins, by their numbers of coefficients: the one row of a single friction, and two of many."""
 
-FIRST = (4, 11)
-"""Those with which a sum of rows begins."""
+FOLLOWING = ((7, 7), (10, 10), (11, 11), (12, 13), (13,))
+"""Rows that are added to a sum in one loop."""
 
 HEADER = '''\
 """Rows of polynomials in two variables for the elements of a panel: loops over elements, to be compiled.
@@ -29,6 +30,8 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from granular.generated.rows import aligned_frame
+
 Array: TypeAlias = npt.NDArray[np.float64]
 '''
 
@@ -42,13 +45,13 @@ DOCSTRING = '''\
     k : int
         The first of the three polynomials.
     at : int
-        Place of the first of the {size} that are used.
+        Place of the first coefficient that is used, of {sizes} in turn.
     variable : (n,) array [-]
         Variable of the polynomials.
-{other}    values : (6, m) array [-]
-        Values, n of three rows of which are {done}.
-    first, last : int
-        Where these begin and end.
+{other}    columns : (6 spacing,) array [-]
+        Values, of which the first n of three columns are {done}.
+    spacing : int
+        Numbers from one column to the next.
 
     Operations: {operations}.
     """
@@ -62,33 +65,48 @@ OTHER = """\
 
 def panel_module() -> str:
     """Return the text of ``granular/generated/panel_rows.py``."""
-    return "\n".join([HEADER, *("\n" + _function(size, first=True) for size in FIRST),
-                      *("\n" + _function(size, first=False) for size in SIZES)])
+    return "\n".join([HEADER, *("\n" + _function(sizes, first=True) for sizes in BEGINNINGS),
+                      *("\n" + _function(sizes, first=False) for sizes in FOLLOWING)])
 
 
-def _function(size: int, *, first: bool) -> str:
-    operations = 1 + TOGETHER * (2 * (size - 1) + (0 if first else 2))
-    name, other = (f"set_row_{size}", "") if first else (f"add_row_{size}", "other: Array, ")
-    summary = ("Set three values of each element to polynomials." if first else
-               "Multiply three values of each element by one variable, and add a polynomial in the other to each.")
-    said = DOCSTRING.format(operations=operations, summary=summary, size=size, other="" if first else OTHER,
-                            done="set" if first else "changed in place")
-    lines = [f"def {name}(rows: Array, k: int, at: int, variable: Array, {other}values: Array, first: int, "
-             "last: int) -> None:",
-             said.rstrip("\n")]
-    lines += [f"    {_name(k, i)} = rows[k + {k}, at + {i}]" for k in range(TOGETHER) for i in range(size)]
-    lines += [f"    v{k} = values[k + {k}, first:last]" for k in range(TOGETHER)]
+def name_of(sizes: tuple[int, ...], *, first: bool) -> str:
+    """Name of the function for some rows."""
+    return f"{'set' if first else 'add'}_row{'s' if len(sizes) > 1 else ''}_{'_'.join(map(str, sizes))}"
+
+
+def _function(sizes: tuple[int, ...], *, first: bool) -> str:
+    added = len(sizes) - first
+    operations = 1 + TOGETHER * (sum(2 * (size - 1) for size in sizes) + 2 * added)
+    other = "other: Array, " if added else ""
+    each = "a polynomial" if len(sizes) == 1 else "polynomials in turn"
+    summary = ("Set three values of each element to polynomials." if first and not added else
+               "Set three values of each element to polynomials, then multiply them by one variable and add another."
+               if first else f"Multiply three values of each element by one variable, and add {each} in the other.")
+    said = DOCSTRING.format(operations=operations, summary=summary, sizes=" and ".join(map(str, sizes)),
+                            other=OTHER if added else "", done="set" if first else "changed in place")
+    names = [[f"{'abc'[k]}{i}" for i in range(sum(sizes))] for k in range(TOGETHER)]
+    lines = [f"def {name_of(sizes, first=first)}(rows: Array, k: int, at: int, variable: Array, {other}"
+             "columns: Array, spacing: int) -> None:", said.rstrip("\n"), "    aligned_frame()"]
+    lines += [f"    {name} = rows[k + {k}, at + {i}]" for k in range(TOGETHER) for i, name in enumerate(names[k])]
+    lines += [f"    v{k} = columns[spacing*(k + {k}):spacing*(k + {k}) + variable.size]" for k in range(TOGETHER)]
     lines += ["    for r in range(variable.size):", "        x = variable[r]", "        z = x*x"]
-    lines += _chains(size)
-    before = "" if first else "v{k}[r]*other[r] + "
-    lines += [f"        v{k}[r] = {before.format(k=k)}(even{k} + x*odd{k})" for k in range(TOGETHER)]
+    if added:
+        lines.append("        y = other[r]")
+    for number, size in enumerate(sizes):
+        done = sum(sizes[:number])
+        lines += _chains([column[done:done + size] for column in names])
+        for k in range(TOGETHER):
+            before = "" if first and number == 0 else f"{f'v{k}[r]' if number == 0 else f'value{k}'}*y + "
+            target = f"v{k}[r]" if number == len(sizes) - 1 else f"value{k}"
+            lines.append(f"        {target} = {before}(even{k} + x*odd{k})")
     return "\n".join(lines) + "\n"
 
 
-def _chains(size: int) -> list[str]:
+def _chains(columns: list[list[str]]) -> list[str]:
     """Even and odd parts by Horner's rule, a term of each in turn."""
-    parts = [(f"{part}{k}", [_name(k, i) for i in range(size)][(size - 1 + shift) % 2::2])
-             for k in range(TOGETHER) for shift, part in enumerate(("even", "odd"))]
+    size = len(columns[0])
+    parts = [(f"{part}{k}", column[(size - 1 + shift) % 2::2])
+             for k, column in enumerate(columns) for shift, part in enumerate(("even", "odd"))]
     lines = []
     for term in range((size + 1) // 2):
         for name, coefficients in parts:
@@ -98,7 +116,3 @@ def _chains(size: int) -> list[str]:
             elif own > 0:
                 lines.append(f"        {name} = {name}*z + {coefficients[own]}")
     return lines
-
-
-def _name(k: int, i: int) -> str:
-    return f"{'abc'[k]}{i}"

@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
-from importlib import import_module
 from typing import Any
 
 WOVEN_BY_FOUR = 6
@@ -20,7 +19,7 @@ WOVEN_BY_FOUR = 6
 are written two at a time, since few places can be written to past the caches at once."""
 
 LINE = 64
-"""Bytes at a multiple of which scratch begins: as many as a cache moves at once."""
+"""Bytes at a multiple of which scratch and frames begin: as many as a cache moves at once."""
 
 
 @lru_cache(maxsize=1)
@@ -30,7 +29,7 @@ def row_functions() -> dict[str, Callable[..., Any]]:
     Returns
     -------
     dict
-        ``scratch_of`` and ``write_rows``.
+        ``aligned_frame``, ``scratch_of`` and ``write_rows``.
 
     Raises
     ------
@@ -44,25 +43,33 @@ def row_functions() -> dict[str, Callable[..., Any]]:
     they return. Source: the language of LLVM.
     """
     from numba import types
+    from numba.core import cgutils
     from numba.extending import intrinsic
-
-    code, arrays = _module("numba.core.cgutils"), _module("numba.np.arrayobj")
+    from numba.np import arrayobj
 
     @intrinsic(prefer_literal=True)
     def scratch_of(typing: Any, size: Any) -> Any:
         count, array = size.literal_value, types.Array(types.float64, 1, "C")
 
         def make(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            whole = code.alloca_once(builder, context.get_value_type(types.float64), size=count)
+            whole = cgutils.alloca_once(builder, context.get_value_type(types.float64), size=count)
             whole.align = LINE
-            code.memset(builder, whole, context.get_constant(types.intp, 8 * count), 0)
             made = context.make_array(array)(context, builder)
-            arrays.populate_array(made, data=whole, shape=[context.get_constant(types.intp, count)],
+            arrayobj.populate_array(made, data=whole, shape=[context.get_constant(types.intp, count)],
                                     strides=[context.get_constant(types.intp, 8)],
                                     itemsize=context.get_constant(types.intp, 8), meminfo=None)
             return made._getvalue()
 
         return array(size), make
+
+    @intrinsic
+    def aligned_frame(typing: Any) -> Any:
+        def make(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            builder.function.attributes.add("nounwind")  # llvmlite forgets the other where it stands alone
+            builder.function.attributes.alignstack = LINE
+            return context.get_dummy_value()
+
+        return types.void(), make
 
     @intrinsic(prefer_literal=True)
     def write_rows(typing: Any, columns: Any, width: Any, spacing: Any, out: Any, streamed: Any) -> Any:
@@ -80,12 +87,18 @@ def row_functions() -> dict[str, Callable[..., Any]]:
 
         return types.void(columns, width, spacing, out, types.boolean), make
 
-    return {"scratch_of": scratch_of, "write_rows": write_rows}
+    @intrinsic(prefer_literal=True)
+    def read_rows(typing: Any, rows: Any, width: Any, where: Any, factor: Any, columns: Any, spacing: Any) -> Any:
+        def make(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            source, places, factors, target = (context.make_array(kind)(context, builder, value) for kind, value in zip(
+                (rows, where, factor, columns), (arguments[0], *arguments[2:5]), strict=True))
+            weave = _Weave(builder, target.data, source.data, width.literal_value, spacing.literal_value)
+            weave.back(places.nitems, places.data, factors.data)
+            return context.get_dummy_value()
 
+        return types.void(rows, width, where, factor, columns, spacing), make
 
-def _module(name: str) -> Any:
-    """A part of numba whose functions have no types."""
-    return import_module(name)
+    return {"aligned_frame": aligned_frame, "read_rows": read_rows, "scratch_of": scratch_of, "write_rows": write_rows}
 
 
 class _Weave:
@@ -119,9 +132,36 @@ class _Weave:
         with self._each(builder.sub(count, done)) as i:
             self._one(builder.add(done, i), streamed=streamed)
 
+    def back(self, count: Any, places: Any, factors: Any) -> None:
+        """Rows at some places into columns again, times a factor for each: four at a time, and what is left."""
+        groups = self.builder.udiv(count, self.number(4))
+        with self._each(groups) as group:
+            self._back(self.builder.mul(group, self.number(4)), places, factors, 4)
+        done = self.builder.mul(groups, self.number(4))
+        with self._each(self.builder.sub(count, done)) as rest:
+            self._back(self.builder.add(done, rest), places, factors, 1)
+
+    def _back(self, i: Any, places: Any, factors: Any, size: int) -> None:
+        builder = self.builder
+        rows = [builder.mul(builder.zext(builder.load(builder.gep(places, [builder.add(i, self.number(j))])), i.type),
+                            self.number(self.width)) for j in range(size)]
+        factor = self._load_at(builder.gep(factors, [i]), size)
+        for k in range(0, self.width, 2):
+            pairs = [self._load_at(builder.gep(self.target, [builder.add(row, self.number(k))]), 2) for row in rows]
+            if size == 1:
+                columns = [self._mixed(pairs[0], pairs[0], (half,)) for half in range(2)]
+            else:
+                even, odd = (self._mixed(pairs[first], pairs[first + 2], (0, 1, 2, 3)) for first in range(2))
+                columns = [self._mixed(even, odd, (half, 4 + half, 2 + half, 6 + half)) for half in range(2)]
+            for half, column in enumerate(columns):
+                place = builder.bitcast(self._column(k + half, i), column.type.as_pointer())
+                builder.store(builder.fmul(column, factor), place, align=8)
+
     @contextmanager
     def _each(self, count: Any) -> Iterator[Any]:
-        with _module("numba.core.cgutils").for_range(self.builder, count) as loop:
+        from numba.core import cgutils
+
+        with cgutils.for_range(self.builder, count) as loop:
             yield loop.index
 
     def _one(self, i: Any, *, streamed: bool) -> None:
@@ -155,8 +195,10 @@ class _Weave:
         return self.builder.gep(self.source, [self.builder.add(i, self.number(self.spacing * k))])
 
     def _load(self, k: int, i: Any, size: int) -> Any:
-        place = self.builder.bitcast(self._column(k, i), self._vector(size).as_pointer())
-        return self.builder.load(place, align=8)
+        return self._load_at(self._column(k, i), size)
+
+    def _load_at(self, place: Any, size: int) -> Any:
+        return self.builder.load(self.builder.bitcast(place, self._vector(size).as_pointer()), align=8)
 
     def _mixed(self, left: Any, right: Any, order: tuple[int, ...]) -> Any:
         mask = self.ir.Constant(self.ir.VectorType(self.ir.IntType(32), len(order)), order)

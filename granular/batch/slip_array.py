@@ -14,9 +14,11 @@ from granular.batch.slip_layout import (
     COLUMNS,
     CONTRASTS,
     DELICATE,
+    DENOMINATOR,
     HALVES,
     INTEGRALS,
     KNOWN,
+    POSITIVE,
     QUARTERS,
     ROWS,
     STRENGTHS,
@@ -25,17 +27,14 @@ from granular.batch.slip_layout import (
     ZONE_BITS,
 )
 from granular.batch.slip_share import friction_used
-from granular.generated.slip_table_array import onset_part, slip_components
-from granular.generated.slip_table_block import slip_state
+from granular.generated.slip_table_array import onset_part
+from granular.generated.slip_table_block import slip_rows, slip_state
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Array = NDArray[np.float64]
     Index = NDArray[np.int64]
-
-SUMMED = [0, 1, 2, 3, 5]
-"""What ``slip_components`` takes of the state: all but the contrast."""
 
 
 def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array, friction: Array,
@@ -62,43 +61,42 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
     """
     varies = coefficients.shape[2] != TERMS
     with np.errstate(all="ignore"):  # what is not served may be anything
-        known, kappa, margin = _state(D33, Dr33, stress_ratio, poisson_ratio, friction)
+        level, contrast, kappa, margin = _state(D33, stress_ratio, friction)
         if varies:
-            position = (known[4] - CONTRASTS[0]) / COLUMN_WIDTH
+            position = (contrast - CONTRASTS[0]) / COLUMN_WIDTH
             column = np.minimum(np.where(position > 0.0, position, 0.0), COLUMNS - 0.5).astype(np.int64)
             across = 2.0 * (position - column) - 1.0
             panel = _margin_panel(margin, HALVES, middle.size // (2 * COLUMNS)) * COLUMNS + column
         else:
             across, side = np.zeros(D33.size), middle.size // 4
-            panel = _margin_panel(margin, QUARTERS, side) + np.where(known[4] < 0.0, 2 * side, 0)
+            panel = _margin_panel(margin, QUARTERS, side) + np.where(contrast < 0.0, 2 * side, 0)
         variable = (np.abs(margin) - middle[panel]) * narrowness[panel]
         lost, at = np.zeros((INTEGRALS, D33.size)), 0
         for terms in reversed(ROWS) if varies else (TERMS,):
             lost = lost * across + _row(coefficients, panel, at, terms, variable)
             at += terms
-        return _finish(D33, Dr33, known, kappa, margin, lost, out)
+        lost *= kappa
+        near = np.flatnonzero(np.abs(margin) < ZONE)
+        strength = DENOMINATOR * STRENGTHS[np.where(margin[near] >= 0.0, 0, 1)]
+        lost[:, near] -= onset_part(margin[near], contrast[near], strength)
+        return slip_rows(D33, Dr33, poisson_ratio, level, contrast, *lost, out)
 
 
-def _state(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array,
-           friction: Array) -> tuple[Array, Array, Array]:
-    """What is known before a table is read: what ``slip_state`` gives, in rows; kappa; 1 - kappa."""
+def _state(D33: Array, stress_ratio: Array, friction: Array) -> tuple[Array, Array, Array, Array]:
+    """What is known before a table is read: the level of the stiffness, the contrast, kappa, and 1 - kappa."""
     state = np.empty(KNOWN * D33.size)
-    slip_state(D33, Dr33, stress_ratio, poisson_ratio, state)
-    known = state.reshape(KNOWN, -1)
-    square = known[4] * known[4]
-    product = 1.0 - square
-    kappa = (3.0 + square) * np.abs(known[4]) / (friction * (product * np.sqrt(product)))
-    margin = 1.0 - kappa
+    slip_state(D33, stress_ratio, friction, state)
+    level, contrast, kappa, margin = state.reshape(KNOWN, -1)
     rubbing = friction > 0.0
     kappa[~rubbing] = margin[~rubbing] = np.nan
-    delicate = np.flatnonzero(rubbing & ((np.abs(margin) < 1.01 * ZONE) | (np.abs(known[4]) < DELICATE)))
+    delicate = np.flatnonzero(rubbing & ((np.abs(margin) < 1.01 * ZONE) | (np.abs(contrast) < DELICATE)))
     kappa[delicate], margin[delicate] = friction_used(D33[delicate], stress_ratio[delicate], friction[delicate])
-    return known, kappa, margin
+    return level, contrast, kappa, margin
 
 
 def _margin_panel(margin: Array, bits: int, side: int) -> Index:
     """Panel of each margin: those before the onset first, then those after it."""
-    found = np.clip((np.abs(margin).view(np.int64) >> bits) - (ZONE_BITS << (52 - bits)) + 1, 0, side - 1)
+    found = np.clip(((margin.view(np.int64) & POSITIVE) >> bits) - (ZONE_BITS << (52 - bits)) + 1, 0, side - 1)
     panel: Index = np.where(margin >= 0.0, found, found + side)
     return panel
 
@@ -115,16 +113,3 @@ def _row(coefficients: Array, panel: Index, at: int, terms: int, variable: Array
     even, odd = parts
     result: Array = even + variable * odd
     return result
-
-
-def _finish(D33: Array, Dr33: Array, known: Array, kappa: Array, margin: Array, lost: Array,
-            out: Array) -> int:
-    """Take out what is not smooth near the onset, and write the components."""
-    lost = lost * kappa
-    near = np.flatnonzero(np.abs(margin) < ZONE)
-    strength = STRENGTHS[np.where(margin[near] >= 0.0, 0, 1)]
-    lost[:, near] -= onset_part(margin[near], known[4, near], strength)
-    rows = out.reshape(-1, 6)
-    for place, component in enumerate(slip_components(D33, Dr33, *known[SUMMED], *lost)):
-        rows[:, place] = component
-    return int(np.count_nonzero(np.isnan(rows[:, 0])))

@@ -7,22 +7,17 @@ number and is as narrow as the onset of sliding is near. About the onset there i
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
-    Index = NDArray[np.int64]
 
 INTEGRALS = 6
 """Integrals of s^(5-k) x^(2k), k = 0 ... 5: all that a density of rank two asks for."""
 
-KNOWN, CONTRAST = 6, 4
-"""Numbers that ``slip_state`` gives for each element: three sums, their level, the contrast, and 1 - k_r/k_n; and
-which of them the contrast is."""
+KNOWN = 4
+"""Numbers that ``slip_state`` gives for each element: the level of the stiffness, the contrast, kappa and 1 - kappa."""
+
+DENOMINATOR = 3465.0
+"""What ``slip_rows`` wants the integrals to be multiplied by: all moments of the directions are whole then."""
 
 ZONE = 1 / 256
 """Margin to sliding up to which the part that is not smooth at the onset is taken out of a table.
@@ -66,32 +61,11 @@ ROWS = (13, 13, 12, 11, 11, 10, 10, 7, 7, 4, 4)
 HALVES, QUARTERS = 51, 50
 """Bits of a double behind those that tell halves and quarters of octaves apart."""
 
+POSITIVE = (1 << 63) - 1
+"""All bits of a double but its sign."""
+
 ALIGNED = 16
 """Elements of a panel start at multiples of this, so that vector code has no remainder."""
-
-
-def margin_panels(margin: Array, bits: int, side: int, panel: Index) -> None:
-    """Fill the panel of each margin: those before the onset first, then those after it.
-
-    Parameters
-    ----------
-    margin : (n,) array
-        1 - kappa [-].
-    bits : int
-        ``HALVES`` or ``QUARTERS`` [-].
-    side : int
-        Panels on each side of the onset [-].
-    panel : (n,) array of int
-        To be filled [-].
-
-    Notes
-    -----
-    Source: the layout of a double.
-    """
-    leading, zone = np.abs(margin).view(np.int64), (ZONE_BITS << (52 - bits)) - 1
-    for i in range(margin.size):
-        found = min(max((leading[i] >> bits) - zone, 0), side - 1)
-        panel[i] = found if margin[i] >= 0.0 else found + side
 
 
 def intervals(octaves: int, parts: int) -> list[tuple[float, float]]:

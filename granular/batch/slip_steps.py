@@ -1,4 +1,4 @@
-"""Steps of the loops for partial slip: shares of friction, panels, the onset, components. Each is to be compiled."""
+"""Steps of the loops for partial slip: shares of friction, panels, sorting, the onset. Each is to be compiled."""
 
 from __future__ import annotations
 
@@ -10,37 +10,50 @@ from granular.batch.slip_layout import (
     ALIGNED,
     COLUMN_WIDTH,
     COLUMNS,
-    CONTRAST,
     CONTRASTS,
     DELICATE,
+    DENOMINATOR,
+    HALVES,
     INTEGRALS,
+    POSITIVE,
     STRENGTHS,
     ZONE,
+    ZONE_BITS,
 )
 from granular.batch.slip_share import friction_used
-from granular.generated.slip_table_array import onset_part, slip_components
+from granular.generated.rows import scratch_of
+from granular.generated.slip_table_array import onset_part
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Array = NDArray[np.float64]
     Index = NDArray[np.int64]
+    Panels = NDArray[np.uint16]
+    Places = NDArray[np.uint32]
+
+GROUP = 256
+"""Elements that are looked at together."""
+
+TOGETHER = 64
+"""Special elements that are computed together."""
 
 
-def shares(D33: Array, stress_ratio: Array, friction: Array, state: Array, kappa: Array, margin: Array,
-           near: Index) -> int:
-    """Fill kappa and 1 - kappa of each element, NaN where there is no friction, and find those near the onset.
+def look_closer(D33: Array, stress_ratio: Array, friction: Array, contrast: Array, kappa: Array, margin: Array,
+                near: Index) -> int:
+    """Give back the digits that kappa and 1 - kappa lost where they are small, and find elements near the onset.
 
     Parameters
     ----------
     D33, stress_ratio, friction : (n,) array
         As for ``axial_stiffness`` [-].
-    state : (6 n,) array
+    contrast : (n,) array
         From ``slip_state`` [-].
     kappa, margin : (n,) array
-        To be filled [-].
+        Also from there; changed in place, to NaN where there is no friction [-].
     near : (n,) array of int
-        To be filled, as far as there are any, with the elements whose margin is below ``ZONE`` [-].
+        To be filled, as far as there are any, with the elements whose margin is below ``ZONE``, in their order; the
+        rest is overwritten [-].
 
     Returns
     -------
@@ -52,57 +65,85 @@ def shares(D33: Array, stress_ratio: Array, friction: Array, state: Array, kappa
     Accuracy: some 512 units in the last place of kappa; a few where the margin is small. Source: the derivation
     ``slip_table``.
     """
-    size, found = D33.size, 0
-    for i in range(size):
-        contrast = state[CONTRAST * size + i]
-        square = contrast * contrast
-        product = 1.0 - square
-        kappa[i] = (3.0 + square) * abs(contrast) / (friction[i] * (product * np.sqrt(product)))
-        margin[i] = 1.0 - kappa[i]
-    for i in range(size):
-        if not friction[i] > 0.0:
-            kappa[i] = margin[i] = np.nan
-        elif abs(margin[i]) < 1.01 * ZONE or abs(state[CONTRAST * size + i]) < DELICATE:
-            kappa[i], margin[i] = friction_used(D33[i], stress_ratio[i], friction[i])
+    size, count, found = D33.size, 0, 0
+    special = np.zeros(GROUP, dtype=np.int64)
+    for first in range(0, size, GROUP):
+        last = min(first + GROUP, size)
+        mu, eta, left = friction[first:last], contrast[first:last], margin[first:last]
+        for i in range(last - first):
+            special[i] = (abs(left[i]) < 1.01 * ZONE) | (abs(eta[i]) < DELICATE) | (not mu[i] > 0.0)
+        for i in range(last - first):
+            near[count] = first + i
+            count += special[i]
+    d, ratio, mu = scratch_of(TOGETHER), scratch_of(TOGETHER), scratch_of(TOGETHER)
+    used, left = scratch_of(TOGETHER), scratch_of(TOGETHER)
+    for first in range(0, count, TOGETHER):
+        some = near[first:min(first + TOGETHER, count)]
+        for j in range(some.size):
+            d[j], ratio[j], mu[j] = D33[some[j]], stress_ratio[some[j]], friction[some[j]]
+        for j in range(some.size):
+            used[j], left[j] = friction_used(d[j], ratio[j], mu[j])
+        for j in range(some.size):
+            i = some[j]
+            kappa[i], margin[i] = (used[j], left[j]) if mu[j] > 0.0 else (np.nan, np.nan)
             if abs(margin[i]) < ZONE:
                 near[found] = i
                 found += 1
     return found
 
 
-def contrast_panels(state: Array, side: int, varies: bool, panel: Index, across: Array) -> None:
-    """Go on from the panel of the margin to that of the contrast as well.
+def panels_of_one(margin: Array, contrast: Array, bits: int, side: int, panel: Panels) -> None:
+    """Fill the panel of each element where friction is one: those before the onset first, then those after it.
 
     Parameters
     ----------
-    state : (6 n,) array
-        From ``slip_state`` [-].
+    margin, contrast : (n,) array
+        1 - kappa; the cubic contrast of the forces, whose sign decides [-].
+    bits : int
+        ``HALVES`` or ``QUARTERS`` [-].
     side : int
         Panels of the margin on each side of the onset [-].
-    varies : bool
-        Whether friction varies: then there are panels of the contrast, else its sign decides.
     panel : (n,) array of int
-        Panel of the margin, changed in place [-].
-    across : (n,) array
-        To be filled with the place in a panel of the contrast, from -1 to 1, if friction varies [-].
+        To be filled [-].
 
     Notes
     -----
-    Source: the table.
+    Source: the layout of a double.
     """
-    size = panel.size
-    for i in range(size):
-        contrast = state[CONTRAST * size + i]
-        if varies:
-            position = (contrast - CONTRASTS[0]) / COLUMN_WIDTH
-            column = int(min(position if position > 0.0 else 0.0, COLUMNS - 0.5))
-            across[i] = 2.0 * (position - column) - 1.0
-            panel[i] = panel[i] * COLUMNS + column
-        elif contrast < 0.0:
-            panel[i] += 2 * side
+    leading, zone = margin.view(np.int64), (ZONE_BITS << (52 - bits)) - 1
+    for i in range(margin.size):
+        found = min(max(((leading[i] & POSITIVE) >> bits) - zone, 0), side - 1)
+        panel[i] = found + (0 if margin[i] >= 0.0 else side) + (2 * side if contrast[i] < 0.0 else 0)
 
 
-def sort_by_panel(panel: Index, margin: Array, start: Index, where: Index, variable: Array) -> None:
+def panels_of_any(margin: Array, contrast: Array, side: int, panel: Panels, across: Array) -> None:
+    """Fill the panel of each element where friction varies, and its place in it along the contrast.
+
+    Parameters
+    ----------
+    margin, contrast : (n,) array
+        1 - kappa; the cubic contrast of the forces [-].
+    side : int
+        Panels of the margin on each side of the onset [-].
+    panel : (n,) array of int
+        To be filled [-].
+    across : (n,) array
+        To be filled with the place in a panel of the contrast, from -1 to 1 [-].
+
+    Notes
+    -----
+    Source: the layout of a double.
+    """
+    leading, zone = margin.view(np.int64), (ZONE_BITS << (52 - HALVES)) - 1
+    for i in range(margin.size):
+        found = min(max(((leading[i] & POSITIVE) >> HALVES) - zone, 0), side - 1)
+        position = (contrast[i] - CONTRASTS[0]) / COLUMN_WIDTH
+        column = int(min(position if position > 0.0 else 0.0, COLUMNS - 0.5))
+        across[i] = 2.0 * (position - column) - 1.0
+        panel[i] = (found + (0 if margin[i] >= 0.0 else side)) * COLUMNS + column
+
+
+def sort_by_panel(panel: Panels, margin: Array, start: Index, where: Places, variable: Array) -> None:
     """Fill where each panel starts, the place of each element among those of its panel, and their margins there.
 
     Parameters
@@ -124,41 +165,21 @@ def sort_by_panel(panel: Index, margin: Array, start: Index, where: Index, varia
     """
     start[:] = 0
     for i in range(panel.size):
-        where[i] = start[panel[i] + 1]
-        start[panel[i] + 1] += 1
-    for one in range(start.size - 1):
-        start[one + 1] = start[one] + (start[one + 1] + ALIGNED - 1) // ALIGNED * ALIGNED
+        before = start[panel[i]]
+        where[i] = before
+        start[panel[i]] = before + 1
+    begin = 0
+    for one in range(start.size):
+        size = start[one]
+        start[one] = begin
+        begin += (size + ALIGNED - 1) // ALIGNED * ALIGNED
     for i in range(panel.size):
-        place = where[i] + start[panel[i]]
-        where[i] = place
-        variable[place] = abs(margin[i])
+        where[i] += start[panel[i]]
+        variable[where[i]] = abs(margin[i])
 
 
-def in_order(lost: Array, where: Index, kappa: Array, lost_here: Array) -> None:
-    """Bring what slip takes back into the order of the elements, times kappa.
-
-    Parameters
-    ----------
-    lost : (6, places) array
-        Values of the table, in sorted order [-].
-    where : (n,) array of int
-        Sorted place of each element [-].
-    kappa : (n,) array
-        Share of the friction that is used up [-].
-    lost_here : (6, m) array
-        To be filled up to n <= m [-].
-
-    Notes
-    -----
-    Source: the table.
-    """
-    for k in range(INTEGRALS):
-        own, here = lost[k], lost_here[k]
-        for i in range(where.size):
-            here[i] = own[where[i]] * kappa[i]
-
-
-def take_onset_out(near: Index, done: int, first: int, last: int, margin: Array, state: Array, lost: Array) -> int:
+def take_onset_out(near: Index, done: int, first: int, last: int, margin: Array, contrast: Array,
+                   columns: Array, spacing: int) -> int:
     """Take the part that is not smooth out of the elements near the onset, as far as they are in a part of all.
 
     Parameters
@@ -169,12 +190,12 @@ def take_onset_out(near: Index, done: int, first: int, last: int, margin: Array,
         How many of them come before the part [-].
     first, last : int
         Where the part begins and ends [-].
-    margin : (n,) array
-        1 - kappa [-].
-    state : (6 n,) array
-        From ``slip_state`` [-].
-    lost : (6, last - first or more) array
+    margin, contrast : (n,) array
+        1 - kappa; the cubic contrast of the forces [-].
+    columns : (6 spacing,) array
         What slip takes, and what is not smooth about it near the onset [-].
+    spacing : int
+        Numbers from one column to the next [-].
 
     Returns
     -------
@@ -187,52 +208,8 @@ def take_onset_out(near: Index, done: int, first: int, last: int, margin: Array,
     """
     while done < near.size and near[done] < last:
         i = near[done]
-        part = onset_part(margin[i], state[CONTRAST * margin.size + i], STRENGTHS[0 if margin[i] >= 0.0 else 1])
+        part = onset_part(margin[i], contrast[i], DENOMINATOR * STRENGTHS[0 if margin[i] >= 0.0 else 1])
         for k in range(INTEGRALS):
-            lost[k, i - first] -= part[k]
+            columns[spacing * k + i - first] -= part[k]
         done += 1
     return done
-
-
-def write_components(D33: Array, Dr33: Array, state: Array, first: int, last: int, lost: Array, out: Array) -> int:
-    """Write the components of a part of the elements, and count those that are not served.
-
-    Parameters
-    ----------
-    D33, Dr33 : (n,) array
-        As for ``axial_stiffness`` [-].
-    state : (6 n,) array
-        From ``slip_state`` [-].
-    first, last : int
-        Where the part begins and ends [-].
-    lost : (6, last - first or more) array
-        What slip takes from them [-].
-    out : (6 n,) array
-        To be filled as far as the part goes [-].
-
-    Returns
-    -------
-    int
-        Elements that are not served: all their components are NaN [-].
-
-    Notes
-    -----
-    Source: the derivation ``slip_table``.
-    """
-    size, unserved = D33.size, 0
-    d, dr, rows = D33[first:last], Dr33[first:last], out[6 * first:6 * last]
-    sum0, sum1, sum2 = state[first:last], state[size + first:size + last], state[2 * size + first:2 * size + last]
-    level, shear = state[3 * size + first:3 * size + last], state[5 * size + first:5 * size + last]
-    for i in range(last - first):
-        place = 6 * i
-        found = slip_components(
-            d[i], dr[i], sum0[i], sum1[i], sum2[i], level[i], shear[i],
-            lost[0, i], lost[1, i], lost[2, i], lost[3, i], lost[4, i], lost[5, i])
-        rows[place] = found[0]
-        rows[place + 1] = found[1]
-        rows[place + 2] = found[2]
-        rows[place + 3] = found[3]
-        rows[place + 4] = found[4]
-        rows[place + 5] = found[5]
-        unserved += found[0] != found[0]
-    return unserved

@@ -14,6 +14,7 @@ from granular.batch.slip_layout import (
     COLUMN_WIDTH,
     COLUMNS,
     CONTRASTS,
+    DENOMINATOR,
     INTEGRALS,
     OCTAVES,
     ROWS,
@@ -35,7 +36,7 @@ class Table:
     Attributes
     ----------
     coefficients : (panels, 6, terms) array
-        Highest power first, in the order in which they are used [-].
+        Of ``DENOMINATOR`` times the integrals; highest power first, in the order in which they are used [-].
     middle, narrowness : (panels,) array
         Middle of a panel of abs(margin), and 2 over its width; NaN where a panel is not served [-].
     """
@@ -109,7 +110,7 @@ def friction_table(friction: float) -> Table:
     nodes, to_chebyshev, to_powers = _interpolation(TERMS)
     margin = np.array(signs)[served, None] * (middle[served, None] + half[served, None] * nodes)
     contrast = np.array(directions)[served, None] * np.tanh(np.arcsinh(friction * (1 - margin)) / 3)
-    values = smooth_values(margin.ravel(), contrast.ravel()).reshape(INTEGRALS, *margin.shape)
+    values = DENOMINATOR * smooth_values(margin.ravel(), contrast.ravel()).reshape(INTEGRALS, *margin.shape)
     coefficients = np.zeros((served.size, INTEGRALS, TERMS))
     coefficients[served] = ((values @ to_chebyshev.T) @ to_powers.T).swapaxes(0, 1)
     with np.errstate(divide="ignore"):
@@ -143,7 +144,7 @@ def general_table() -> Table:
             continue
         margin, contrast = np.broadcast_arrays(sign * ((low + high) / 2 + (high - low) / 2 * nodes)[None, :, None],
                                                columns[:, None, :])
-        values = smooth_values(margin.ravel(), contrast.ravel()).reshape(INTEGRALS, *margin.shape)
+        values = DENOMINATOR * smooth_values(margin.ravel(), contrast.ravel()).reshape(INTEGRALS, *margin.shape)
         chebyshev = np.where(kept, to_chebyshev @ values @ to_chebyshev_across.T, 0.0)
         full = to_powers @ chebyshev @ to_powers_across.T  # both highest power first
         here = slice(place * COLUMNS, (place + 1) * COLUMNS)

@@ -74,6 +74,18 @@ def constant_rows(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Array, st
     column_C2323_nu = scratch[1360:1392]
     column_C1212_nu = scratch[1400:1432]
     columns = scratch[0:1440]
+    scratch[720:752] = 0
+    scratch[760:792] = 0
+    scratch[800:832] = 0
+    scratch[840:872] = 0
+    scratch[880:912] = 0
+    scratch[920:952] = 0
+    scratch[960:992] = 0
+    scratch[1000:1032] = 0
+    scratch[1040:1072] = 0
+    scratch[1080:1112] = 0
+    scratch[1120:1152] = 0
+    scratch[1160:1192] = 0
     unserved = 0
     for start in range(0, all_D33.size, 32):
         stop = min(start + 32, all_D33.size)
@@ -294,6 +306,12 @@ def kinetic_rows(all_D33: Array, all_Dr33: Array, all_SR: Array, all_nu: Array, 
     column_C2323_nu = scratch[3040:3072]
     column_C1212_nu = scratch[3080:3112]
     columns = scratch[1680:3120]
+    scratch[2640:2672] = 0
+    scratch[2680:2712] = 0
+    scratch[2720:2752] = 0
+    scratch[2760:2792] = 0
+    scratch[2800:2832] = 0
+    scratch[2840:2872] = 0
     unserved = 0
     for start in range(0, all_D33.size, 32):
         stop = min(start + 32, all_D33.size)

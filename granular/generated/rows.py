@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 Array: TypeAlias = npt.NDArray[np.float64]
+Places: TypeAlias = npt.NDArray[np.uint32]
 
 
 def scratch_of(size: int) -> Array:
@@ -24,9 +25,13 @@ def scratch_of(size: int) -> Array:
     Returns
     -------
     scratch : (size,) array [-]
-        Zeros.
+        Whatever stood there.
     """
-    return np.zeros(size)
+    return np.empty(size)
+
+
+def aligned_frame() -> None:
+    """Let the frame of the calling function begin where whole vectors do, as a compiler can; here it does nothing."""
 
 
 def write_rows(columns: Array, width: int, spacing: int, out: Array, streamed: bool) -> None:
@@ -46,3 +51,25 @@ def write_rows(columns: Array, width: int, spacing: int, out: Array, streamed: b
     count = out.size//width
     for k in range(width):
         out[k::width] = columns[spacing*k:spacing*k + count]
+
+
+def read_rows(rows: Array, width: int, where: Places, factor: Array, columns: Array, spacing: int) -> None:
+    """Read some rows back into columns, each number times the factor of its element.
+
+    Parameters
+    ----------
+    rows : (width m,) array [-]
+        All numbers of a row, one row after another.
+    width : int
+        Numbers in a row.
+    where : (n,) array of int
+        Which row each element has.
+    factor : (n,) array [-]
+        What its numbers are multiplied by.
+    columns : (width spacing,) array [-]
+        To be filled; a column begins every ``spacing`` numbers.
+    spacing : int
+        Numbers from one column to the next, >= n.
+    """
+    for k in range(width):
+        columns[spacing*k:spacing*k + where.size] = rows[k::width][where]*factor

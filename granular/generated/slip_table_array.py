@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
 Source: (20), (21), (23) of Pan & Dong (1999).
 Domain: a, c > 0, a != c; margin <= 1.
-Operations: 439 (7736 in the outputs as derived).
+Operations: 369 (7736 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -78,84 +78,3 @@ def onset_part(
     singular4 = factor*(w1*(w2*(w3*(w4*(w5*(-z0 + 55*z1 - 330*z2 + 462*z3 - 165*z4 + 11*z5) + z0 - 80*z1 + 630*z2 - 1092*z3 + 465*z4 - 36*z5) + 28*z1 - 378*z2 + 882*z3 - 462*z4 + 42*z5) + 70*z2 - 280*z3 + 190*z4 - 20*z5) + 28*z3 - 29*z4 + 3*z5) + z4)
     singular5 = factor*(w1*(w2*(w3*(w4*(w5*(z0 - 55*z1 + 330*z2 - 462*z3 + 165*z4 - 11*z5) + 45*z1 - 540*z2 + 1134*z3 - 540*z4 + 45*z5) + 210*z2 - 882*z3 + 630*z4 - 70*z5) + 210*z3 - 300*z4 + 50*z5) + 45*z4 - 15*z5) + z5)
     return singular0, singular1, singular2, singular3, singular4, singular5
-
-
-def slip_components(
-    D33: Array, Dr33: Array, sum0: Array, sum1: Array, sum2: Array, level: Array, one_minus_lam: Array, lost0: Array, lost1: Array, lost2: Array, lost3: Array, lost4: Array, lost5: Array,
-) -> tuple[Array, Array, Array, Array, Array, Array]:
-    """Six components over (M/V) l_e^2 k_n,ref with partial slip.
-
-    What slip takes is counted in units of the mean cube root of the forces.
-
-    Parameters
-    ----------
-    D33 : (...) array [-]
-        P2 coefficient of the contact-normal density.
-    Dr33 : (...) array [-]
-        P2 coefficient of the branch-length weight.
-    sum0 : (...) array [-]
-    sum1 : (...) array [-]
-    sum2 : (...) array [-]
-    level : (...) array [-]
-    one_minus_lam : (...) array [-]
-        One minus the stiffness ratio, entered as itself.
-    lost0 : (...) array [-]
-    lost1 : (...) array [-]
-    lost2 : (...) array [-]
-    lost3 : (...) array [-]
-    lost4 : (...) array [-]
-    lost5 : (...) array [-]
-
-    Returns
-    -------
-    C1111 : (...) array [-]
-        Stiffness component 1111.
-    C3333 : (...) array [-]
-        Stiffness component 3333.
-    C1122 : (...) array [-]
-        Stiffness component 1122.
-    C1133 : (...) array [-]
-        Stiffness component 1133.
-    C2323 : (...) array [-]
-        Stiffness component 2323.
-    C1212 : (...) array [-]
-        Stiffness component 1212.
-
-    Operations: 70.
-    """
-    e0 = 2 - D33
-    e1 = 2*D33 + 2
-    lost_density0 = e0*lost0 + e1*lost1
-    lost_density1 = e0*lost1 + e1*lost2
-    lost_density2 = e0*lost2 + e1*lost3
-    lost_density3 = e0*lost3 + e1*lost4
-    lost_density4 = e0*lost4 + e1*lost5
-    whole = 3465*level
-    w0 = 2 - Dr33
-    half_w1 = Dr33 + 1
-    twice_w1 = 4*half_w1
-    level_w0 = w0*whole
-    level_half_w1 = half_w1*whole
-    square0 = level_w0*w0
-    square1 = level_w0*twice_w1
-    square2 = level_half_w1*twice_w1
-    taken0 = lost_density0*square0 + lost_density1*square1 + lost_density2*square2
-    taken1 = lost_density1*square0 + lost_density2*square1 + lost_density3*square2
-    taken2 = lost_density2*square0 + lost_density3*square1 + lost_density4*square2
-    lam = 1 - one_minus_lam
-    kept0 = sum0 - taken0
-    kept1 = sum1 - taken1
-    kept2 = sum2 - taken2
-    shear0 = lam*taken0 + one_minus_lam*sum0
-    quarter = lam*taken1 + one_minus_lam*sum1
-    shear1 = 4*quarter
-    both = kept0 + kept1
-    later = kept1 + kept2
-    along = kept1*lam + sum2
-    C1111 = lam*(kept0 + 4*kept1) + 3*sum0
-    C3333 = 8*along
-    C1122 = shear0
-    C1133 = shear1
-    C2323 = lam*(both + 2*later) + shear1
-    C1212 = 2*both*lam + shear0
-    return C1111, C3333, C1122, C1133, C2323, C1212

@@ -2,8 +2,8 @@
 
 Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
 Source: (20), (21), (23) of Pan & Dong (1999).
-Domain: slip_state: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, a <= 9*c, c <= 6*a.
-Operations: 331 (7736 in the outputs as derived).
+Domain: slip_state: D33 >= -1.0, D33 <= 2.0, a <= 9*c, c <= 6*a; slip_rows: Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, level > 0.0, lost0 >= 0.0.
+Operations: 414 (7736 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -14,6 +14,21 @@ import numpy as np
 import numpy.typing as npt
 
 Array: TypeAlias = npt.NDArray[np.float64]
+
+SHARE = np.array([
+    [34.42581677198594],
+    [7.510115621976816],
+    [15.3271637993778],
+    [12.983404091516944],
+    [12.372823066093193],
+    [11.504144503993611],
+    [10.582056867999349],
+    [9.570311938428365],
+    [8.437500007245387],
+    [7.124999999951793],
+    [5.500000000000125],
+    [3.0],
+])
 
 CUBIC = np.array([
     [0.0, -0.681114526638451, -0.6448530994941937, 1.3578204037912385, -1.1453090253436675, 0.0],
@@ -60,8 +75,8 @@ def polynomials(table: Array, v: Array) -> Array:
     return total
 
 
-def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int:
-    """The sums of the normal stiffness, their level, the cubic contrast of the forces, 1 - k_r/k_n.
+def slip_state(D33: Array, SR: Array, mu: Array, out: Array) -> int:
+    """Level of the stiffness, cubic contrast of the forces, share of the friction used up and left.
 
     Served for 1/9 <= c/a <= 6 with a and c the normal forces at equator and pole.
 
@@ -69,23 +84,21 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
     ----------
     D33 : (n,) array [-]
         P2 coefficient of the contact-normal density.
-    Dr33 : (n,) array [-]
-        P2 coefficient of the branch-length weight.
     SR : (n,) array [-]
         Stress ratio, principal stress along over across axis 3.
-    nu : (n,) array [-]
-        Poisson's ratio of the grain material.
-    out : (6 n,) array [-]
-        sum0, sum1, sum2, level, v, one_minus_lam, each for all elements, NaN for those that are not served.
+    mu : (n,) array [-]
+        Friction coefficient between grains.
+    out : (4 n,) array [-]
+        level, v, kappa, margin, each for all elements, NaN for those that are not served.
 
     Returns
     -------
     unserved : int
         How many elements are not served.
 
-    Operations: 331.
+    Operations: 96.
     """
-    rows = out.reshape(6, -1)
+    rows = out.reshape(4, -1)
     with np.errstate(all="ignore"):  # what is not served may be anything
         third = 1/3
         unit = 1/443520
@@ -130,20 +143,57 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         near_c = c*square_c
         root_a = near_a + square_a*third*(a - near_a*near_a*near_a)
         root_c = near_c + square_c*third*(c - near_c*near_c*near_c)
-        complement = 2 - nu
         roots = root_a + root_c
-        reciprocal = 1/(complement*roots)
-        over_roots = complement*reciprocal
-        over_complement = reciprocal*roots
-        rows[5] = nu*over_complement
-        one_minus_lam = rows[5]
-        lam = 1 - one_minus_lam
-        served = (D33 >= -1.0) & (D33 <= 2.0) & (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (a <= 9*c) & (c <= 6*a)
+        over_roots = 1/roots
+        served = (D33 >= -1.0) & (D33 <= 2.0) & (a <= 9*c) & (c <= 6*a)
         level = np.where(served, roots*unit, np.nan)
-        rows[3] = level
-        rows[4] = over_roots*(-root_a + root_c)
-        v = rows[4]
-        f0, f1, f2, f3, f4, f5 = polynomials(CUBIC, v)
+        rows[0] = level
+        rows[1] = over_roots*(-root_a + root_c)
+        v = rows[1]
+        square = v*v
+        growth, = polynomials(SHARE, square)
+        rows[2] = growth*abs(v)/mu
+        kappa = rows[2]
+        rows[3] = 1 - kappa
+    return int(served.size - np.count_nonzero(served))
+
+
+def slip_rows(D33: Array, Dr33: Array, nu: Array, level: Array, v: Array, lost0: Array, lost1: Array, lost2: Array, lost3: Array, lost4: Array, lost5: Array, out: Array) -> int:
+    """Six components over (M/V) l_e^2 k_n,ref with partial slip.
+
+    What slip takes is counted in units of the mean cube root of the forces, times 3465.
+
+    Parameters
+    ----------
+    D33 : (n,) array [-]
+        P2 coefficient of the contact-normal density.
+    Dr33 : (n,) array [-]
+        P2 coefficient of the branch-length weight.
+    nu : (n,) array [-]
+        Poisson's ratio of the grain material.
+    level : (n,) array [-]
+    v : (n,) array [-]
+        Contrast of the roots of the branch-length weight at pole and equator.
+    lost0 : (n,) array [-]
+    lost1 : (n,) array [-]
+    lost2 : (n,) array [-]
+    lost3 : (n,) array [-]
+    lost4 : (n,) array [-]
+    lost5 : (n,) array [-]
+    out : (6 n,) array [-]
+        C1111, C3333, C1122, C1133, C2323, C1212 of each element in turn, NaN for those that are not served.
+
+    Returns
+    -------
+    unserved : int
+        How many elements are not served.
+
+    Operations: 318.
+    """
+    rows = out.reshape(-1, 6)
+    with np.errstate(all="ignore"):  # what is not served may be anything
+        contrast = v
+        f0, f1, f2, f3, f4, f5 = polynomials(CUBIC, contrast)
         e0 = 2 - D33
         e1 = 2*D33 + 2
         density0 = e0*f0 + e1*f1
@@ -151,6 +201,11 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         density2 = e0*f2 + e1*f3
         density3 = e0*f3 + e1*f4
         density4 = e0*f4 + e1*f5
+        lost_density0 = e0*lost0 + e1*lost1
+        lost_density1 = e0*lost1 + e1*lost2
+        lost_density2 = e0*lost2 + e1*lost3
+        lost_density3 = e0*lost3 + e1*lost4
+        lost_density4 = e0*lost4 + e1*lost5
         w0 = 2 - Dr33
         half_w1 = Dr33 + 1
         twice_w1 = 4*half_w1
@@ -159,7 +214,30 @@ def slip_state(D33: Array, Dr33: Array, SR: Array, nu: Array, out: Array) -> int
         square0 = level_w0*w0
         square1 = level_w0*twice_w1
         square2 = level_half_w1*twice_w1
-        rows[0] = density0*square0 + density1*square1 + density2*square2
-        rows[1] = density1*square0 + density2*square1 + density3*square2
-        rows[2] = density2*square0 + density3*square1 + density4*square2
+        sum0 = density0*square0 + density1*square1 + density2*square2
+        sum1 = density1*square0 + density2*square1 + density3*square2
+        sum2 = density2*square0 + density3*square1 + density4*square2
+        taken0 = lost_density0*square0 + lost_density1*square1 + lost_density2*square2
+        taken1 = lost_density1*square0 + lost_density2*square1 + lost_density3*square2
+        taken2 = lost_density2*square0 + lost_density3*square1 + lost_density4*square2
+        complement = 2 - nu
+        over_complement = 1/complement
+        served = (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (level > 0.0) & (lost0 >= 0.0)
+        one_minus_lam = np.where(served, nu*over_complement, np.nan)
+        lam = 1 - one_minus_lam
+        kept0 = sum0 - taken0
+        kept1 = sum1 - taken1
+        kept2 = sum2 - taken2
+        shear0 = lam*taken0 + one_minus_lam*sum0
+        quarter = lam*taken1 + one_minus_lam*sum1
+        shear1 = 4*quarter
+        both = kept0 + kept1
+        later = kept1 + kept2
+        along = kept1*lam + sum2
+        rows[:, 0] = lam*(kept0 + 4*kept1) + 3*sum0
+        rows[:, 1] = 8*along
+        rows[:, 2] = shear0
+        rows[:, 3] = shear1
+        rows[:, 4] = lam*(both + 2*later) + shear1
+        rows[:, 5] = 2*both*lam + shear0
     return int(served.size - np.count_nonzero(served))

@@ -9,7 +9,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from derivations.emit.panels import FIRST, SIZES, panel_module
+from derivations.emit.panels import BEGINNINGS, FOLLOWING, name_of, panel_module
 from derivations.slip_table import even_part, onset_part, singular_moments
 from derivations.symbols import eta, margin, onset_strength
 from granular.generated import panel_rows
@@ -89,10 +89,10 @@ def test_leading_coefficients_are_the_weights() -> None:
     assert [even_part(k)[0] for k in range(6)] == [at_equator ** (5 - k) * at_pole**k for k in range(6)]
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_rows_of_panels(size: int) -> None:
-    """Three polynomials against Horner's rule in fractions: a coefficient in the wrong half breaks it."""
-    rows = [[sp.Rational((-1) ** i * (7 * k + i + 1), 8) for i in range(size + 2)] for k in range(3)]
+@pytest.mark.parametrize(("sizes", "first"), [*((one, True) for one in BEGINNINGS), *((one, False) for one in FOLLOWING)])
+def test_rows_of_panels(sizes: tuple[int, ...], first: bool) -> None:
+    """Three polynomials against Horner's rule in fractions: a coefficient in the wrong half or row breaks it."""
+    rows = [[sp.Rational((-1) ** i * (7 * k + i + 1), 8) for i in range(sum(sizes) + 2)] for k in range(3)]
     x, y = sp.Rational(3, 8), sp.Rational(-5, 4)
 
     class Rows:
@@ -106,22 +106,28 @@ def test_rows_of_panels(size: int) -> None:
 
         size = 1
 
-    class Values(list[Column]):
-        """Rows of one element each, indexed like an array; a row is itself whatever part of it is asked for."""
+    class Columns:
+        """Three columns of one element each; what begins at a place is the column that begins there."""
 
-        def __getitem__(self, place: tuple[int, slice]) -> Column:
-            return list.__getitem__(self, place[0])
+        def __init__(self) -> None:
+            self.each = [Column([sp.Rational(k + 1)]) for k in range(3)]
 
-    values = Values(Column([sp.Rational(k + 1)]) for k in range(3))
-    expected = [sp.Integer(0)] * 3
+        def __getitem__(self, place: slice) -> Column:
+            assert place.stop == place.start + 1
+            return self.each[place.start // 5]
+
+    columns = Columns()
+    expected = [sp.Integer(0) if first else sp.Rational(k + 1) for k in range(3)]
     for k in range(3):
-        for coefficient in rows[k][2:]:
-            expected[k] = expected[k] * x + coefficient
-    getattr(panel_rows, f"add_row_{size}")(Rows(), 0, 2, Column([x]), Column([y]), values, 0, 1)
-    assert [values[k, :][0] for k in range(3)] == [(k + 1) * y + expected[k] for k in range(3)]
-    if size in FIRST:
-        getattr(panel_rows, f"set_row_{size}")(Rows(), 0, 2, Column([x]), values, 0, 1)
-        assert [values[k, :][0] for k in range(3)] == expected
+        done = 2
+        for size in sizes:
+            total = sp.Integer(0)
+            for coefficient in rows[k][done:done + size]:
+                total = total * x + coefficient
+            expected[k], done = expected[k] * y + total, done + size
+    other = () if first and len(sizes) == 1 else (Column([y]),)
+    getattr(panel_rows, name_of(sizes, first=first))(Rows(), 0, 2, Column([x]), *other, columns, 5)
+    assert [column[0] for column in columns.each] == expected
 
 
 def test_emitting_rows_twice_gives_the_same_text() -> None:

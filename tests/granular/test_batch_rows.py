@@ -45,13 +45,13 @@ def test_woven_rows_are_the_plain_ones(width, spacing, streamed):
             assert (found[width * count:] == GUARD).all()
 
 
-def test_scratch_is_new_in_every_call():
-    # scratch that keeps what an earlier call left, or that two calls share
-    known = {**row_functions(), "rows": rows}
-    exec("def use(x):\n    kept = scratch_of(40)\n    before = kept.sum()\n    kept[:] = x\n    return before\n", known)
-    use = numba.njit(known["use"])
-    assert [use(3.0), use(4.0)] == [0.0, 0.0]
-    assert rows.scratch_of(5).tolist() == [0.0] * 5
+def test_scratch_holds_what_is_put_there():
+    # scratch of another size or type, or that two places of a loop share
+    known = {**row_functions()}
+    exec("def use(x):\n    one, other = scratch_of(40), scratch_of(24)\n    one[:], other[:] = x, 1.0\n"
+         "    return one.sum(), other.sum(), one.size\n", known)
+    assert numba.njit(known["use"])(3.0) == (120.0, 24.0, 40)
+    assert rows.scratch_of(5).shape == (5,)
 
 
 @pytest.mark.parametrize("kernel", [KINEMATIC, KINETIC], ids=lambda kernel: kernel.name)

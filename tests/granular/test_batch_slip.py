@@ -265,9 +265,9 @@ def test_table_holds_its_nodes_and_leaves_nothing_out():
 
 def test_sorting_leaves_every_element_a_place_of_its_own():
     # a panel that begins inside its neighbour
-    panel = np.array([3, 0, 3, 3, 2, 0] * 9)
+    panel = np.array([3, 0, 3, 3, 2, 0] * 9, dtype=np.uint16)
     margin = np.linspace(-1, 1, panel.size)
-    start, where = np.empty(6, dtype=np.int64), np.empty(panel.size, dtype=np.int64)
+    start, where = np.empty(6, dtype=np.int64), np.empty(panel.size, dtype=np.uint32)
     variable = np.full(panel.size + 6 * ALIGNED, np.nan)
     sort_by_panel(panel, margin, start, where, variable)
     np.testing.assert_array_equal(variable[where], np.abs(margin))
