@@ -100,9 +100,10 @@ def state_function() -> Function:
     to_roots = before[:[symbol for symbol, _ in before].index(complement)]
     return Function(
         "slip_state", "Level of the stiffness, cubic contrast of the forces, share of the friction used up and left.",
-        (D33, SR, mu), (*to_roots, (roots, root_a + root_c), (over_roots, 1 / roots), (level, unit * roots),
-                    (v, (root_c - root_a) * over_roots), (square, v * v),
-                    (growth, polynomial(sp.Symbol(series.name), square)), (kappa, growth * sp.Abs(v) / mu), (margin, 1 - kappa)),
+        (D33, SR, mu),
+        (*to_roots, (roots, root_a + root_c), (over_roots, 1 / roots), (level, unit * roots),
+         (v, (root_c - root_a) * over_roots), (square, v * v), (growth, polynomial(sp.Symbol(series.name), square)),
+         (kappa, growth * sp.Abs(v) / mu), (margin, 1 - kappa)),
         (level, v, kappa, margin), unit="-", series=(*root_series(), series),
         notes="Served for 1/9 <= c/a <= 6 with a and c the normal forces at equator and pole.")
 

@@ -40,8 +40,10 @@ DOCSTRING = '''\
 
     Parameters
     ----------
-    rows : (6, terms) array [-]
+    rows : (panels, 6, terms) array [-]
         Coefficients of polynomials, highest power first.
+    one : int
+        The panel.
     k : int
         The first of the three polynomials.
     at : int
@@ -62,6 +64,11 @@ OTHER = """\
         Factor of the values.
 """
 
+AFFINE = """\
+    middle, narrowness : float [-]
+        What is taken from the variable first, and what it is multiplied by then.
+"""
+
 
 def panel_module() -> str:
     """Return the text of ``granular/generated/panel_rows.py``."""
@@ -76,20 +83,22 @@ def name_of(sizes: tuple[int, ...], *, first: bool) -> str:
 
 def _function(sizes: tuple[int, ...], *, first: bool) -> str:
     added = len(sizes) - first
-    operations = 1 + TOGETHER * (sum(2 * (size - 1) for size in sizes) + 2 * added)
-    other = "other: Array, " if added else ""
+    operations = 1 + 2 * (not added) + TOGETHER * (sum(2 * (size - 1) for size in sizes) + 2 * added)
+    other = "other: Array, " if added else "middle: float, narrowness: float, "
     each = "a polynomial" if len(sizes) == 1 else "polynomials in turn"
     summary = ("Set three values of each element to polynomials." if first and not added else
                "Set three values of each element to polynomials, then multiply them by one variable and add another."
                if first else f"Multiply three values of each element by one variable, and add {each} in the other.")
     said = DOCSTRING.format(operations=operations, summary=summary, sizes=" and ".join(map(str, sizes)),
-                            other=OTHER if added else "", done="set" if first else "changed in place")
+                            other=OTHER if added else AFFINE, done="set" if first else "changed in place")
     names = [[f"{'abc'[k]}{i}" for i in range(sum(sizes))] for k in range(TOGETHER)]
-    lines = [f"def {name_of(sizes, first=first)}(rows: Array, k: int, at: int, variable: Array, {other}"
+    lines = [f"def {name_of(sizes, first=first)}(rows: Array, one: int, k: int, at: int, "
+             f"variable: Array, {other}"
              "columns: Array, spacing: int) -> None:", said.rstrip("\n"), "    aligned_frame()"]
-    lines += [f"    {name} = rows[k + {k}, at + {i}]" for k in range(TOGETHER) for i, name in enumerate(names[k])]
+    lines += [f"    {name} = rows[one, k + {k}, at + {i}]" for k in range(TOGETHER) for i, name in enumerate(names[k])]
     lines += [f"    v{k} = columns[spacing*(k + {k}):spacing*(k + {k}) + variable.size]" for k in range(TOGETHER)]
-    lines += ["    for r in range(variable.size):", "        x = variable[r]", "        z = x*x"]
+    variable = "variable[r]" if added else "(variable[r] - middle)*narrowness"
+    lines += ["    for r in range(variable.size):", f"        x = {variable}", "        z = x*x"]
     if added:
         lines.append("        y = other[r]")
     for number, size in enumerate(sizes):

@@ -29,7 +29,7 @@ def row_functions() -> dict[str, Callable[..., Any]]:
     Returns
     -------
     dict
-        ``aligned_frame``, ``scratch_of`` and ``write_rows``.
+        ``aligned_frame``, ``part_of``, ``read_rows``, ``scratch_of`` and ``write_rows``.
 
     Raises
     ------
@@ -61,6 +61,19 @@ def row_functions() -> dict[str, Callable[..., Any]]:
             return made._getvalue()
 
         return array(size), make
+
+    @intrinsic
+    def part_of(typing: Any, whole: Any, first: Any, last: Any) -> Any:
+        def make(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            given, made = context.make_array(whole)(context, builder, arguments[0]), context.make_array(whole)(
+                context, builder)
+            begin, end = (context.cast(builder, value, kind, types.intp) for value, kind in zip(
+                arguments[1:], signature.args[1:], strict=True))
+            arrayobj.populate_array(made, data=builder.gep(given.data, [begin]), shape=[builder.sub(end, begin)],
+                                    strides=[given.itemsize], itemsize=given.itemsize, meminfo=None)
+            return made._getvalue()
+
+        return whole(whole, first, last), make
 
     @intrinsic
     def aligned_frame(typing: Any) -> Any:
@@ -98,7 +111,8 @@ def row_functions() -> dict[str, Callable[..., Any]]:
 
         return types.void(rows, width, where, factor, columns, spacing), make
 
-    return {"aligned_frame": aligned_frame, "read_rows": read_rows, "scratch_of": scratch_of, "write_rows": write_rows}
+    return {"aligned_frame": aligned_frame, "part_of": part_of, "read_rows": read_rows, "scratch_of": scratch_of,
+            "write_rows": write_rows}
 
 
 class _Weave:

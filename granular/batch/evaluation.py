@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 BLOCK = {Engine.NUMPY: 4096, Engine.COMPILED: 1 << 15, Engine.FUSED: 1 << 15}
 """Elements at a time: as many as stay in cache with what is computed from them, or with their arguments alone."""
 
-LONG_BLOCK = 1 << 17
-"""Elements at a time of a compiled loop whose arguments are read where they are: only calls cost anything then."""
+LONG_BLOCK = 1 << 16
+"""Elements at a time of a compiled loop whose arguments are single values or read where they are: blocks cost little
+then, and partial slip sorts as many together."""
 
 SHARE = 1 << 18
 """Elements that are worth a thread of their own."""
@@ -79,7 +80,7 @@ def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *
     flat, width = out.reshape(-1), out.shape[-1]
     size = flat.size // width
     chosen = choose_engine(kernel, size, engine)
-    in_place = chosen is not Engine.NUMPY and all(is_view(argument, shape) for argument in inputs)
+    in_place = chosen is not Engine.NUMPY and all(argument.size == 1 or is_view(argument, shape) for argument in inputs)
     function, block = block_function(kernel, chosen), min(LONG_BLOCK if in_place else BLOCK[chosen], max(1, size))
     streamed = chosen is not Engine.NUMPY and out.nbytes >= STREAMED and out.ctypes.data % 16 == 0
     lead = int(streamed and out.ctypes.data % 32 > 0)  # the other rows then begin where they are written fastest

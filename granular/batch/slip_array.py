@@ -79,7 +79,8 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
         near = np.flatnonzero(np.abs(margin) < ZONE)
         strength = DENOMINATOR * STRENGTHS[np.where(margin[near] >= 0.0, 0, 1)]
         lost[:, near] -= onset_part(margin[near], contrast[near], strength)
-        return slip_rows(D33, Dr33, poisson_ratio, level, contrast, *lost, out)
+        l0, l1, l2, l3, l4, l5 = lost
+        return slip_rows(D33, Dr33, poisson_ratio, level, contrast, l0, l1, l2, l3, l4, l5, out)
 
 
 def _state(D33: Array, stress_ratio: Array, friction: Array) -> tuple[Array, Array, Array, Array]:

@@ -11,32 +11,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from granular.batch.slip_layout import (
-    ALIGNED,
-    COLUMNS,
-    INTEGRALS,
-    KNOWN,
-    QUARTERS,
-    TERMS,
-)
+from granular.batch.slip_layout import ALIGNED, COLUMNS, INTEGRALS, KNOWN, QUARTERS, TERMS
+from granular.batch.slip_parts import components, values_for_any, values_for_one
 from granular.batch.slip_share import HELPERS as OF_SHARES
 from granular.batch.slip_steps import (
     look_closer,
     panels_of_any,
     panels_of_one,
+    sort_across,
     sort_by_panel,
     take_onset_out,
 )
-from granular.generated.panel_rows import (
-    add_row_13,
-    add_rows_7_7,
-    add_rows_10_10,
-    add_rows_11_11,
-    add_rows_12_13,
-    set_row_11,
-    set_rows_4_4,
-)
-from granular.generated.rows import read_rows, scratch_of, write_rows
+from granular.generated import panel_rows
+from granular.generated.rows import part_of
 from granular.generated.slip_table_array import onset_part
 from granular.generated.slip_table_loop import slip_rows, slip_state
 
@@ -45,17 +32,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-CHUNK = 1 << 15
-"""Elements that are sorted together: some hundred for each panel, and what is known of them stays near the processor."""
-
-PART = 384
-"""Elements that go through the steps after the table together: what is known of them stays in the nearest cache."""
-
-SPACING = PART + 8
-"""Numbers from one column of a part to the next, so that no two of them are a power of two apart."""
-
-NUMBERS = INTEGRALS * SPACING
-"""All of a part."""
+CHUNK = 1 << 16
+"""Elements that are sorted together: some hundred for each panel."""
 
 
 def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Array, friction: Array,
@@ -88,79 +66,35 @@ def partial_slip(D33: Array, Dr33: Array, stress_ratio: Array, poisson_ratio: Ar
     room = most + ALIGNED * min(most, middle.size)
     all_state, all_near = np.empty(KNOWN * most), np.empty(most, dtype=np.int64)
     all_panel, all_where = np.empty(most, dtype=np.uint16), np.empty(most, dtype=np.uint32)
-    variable, other, across = np.zeros(room), np.zeros(room), np.zeros(most)
-    lost, columns = np.zeros(INTEGRALS * room), scratch_of(NUMBERS)
-    l0, l1, l2, l3, l4, l5 = (columns[0:PART], columns[SPACING:SPACING + PART],
-                              columns[2 * SPACING:2 * SPACING + PART], columns[3 * SPACING:3 * SPACING + PART],
-                              columns[4 * SPACING:4 * SPACING + PART], columns[5 * SPACING:5 * SPACING + PART])
+    variable, other, across, lost = np.zeros(room), np.zeros(room), np.zeros(most), np.zeros(INTEGRALS * room)
     start = np.zeros(middle.size + 1, dtype=np.int64)
     for begin in range(0, D33.size, CHUNK):
         end = min(begin + CHUNK, D33.size)
         size = end - begin
-        d, dr, ratio, nu = D33[begin:end], Dr33[begin:end], stress_ratio[begin:end], poisson_ratio[begin:end]
-        mu, state, panel, where = friction[begin:end], all_state[:KNOWN * size], all_panel[:size], all_where[:size]
+        d, dr, ratio = part_of(D33, begin, end), part_of(Dr33, begin, end), part_of(stress_ratio, begin, end)
+        nu, mu, state = part_of(poisson_ratio, begin, end), part_of(friction, begin, end), all_state[:KNOWN * size]
+        panel, where = part_of(all_panel, 0, size), part_of(all_where, 0, size)
         slip_state(d, ratio, mu, state)
-        level, contrast, kappa, margin = state[:size], state[size:2 * size], state[2 * size:3 * size], state[3 * size:]
-        near = all_near[:look_closer(d, ratio, mu, contrast, kappa, margin, all_near)]
+        contrast, margin = part_of(state, size, 2 * size), part_of(state, 3 * size, 4 * size)
+        found = look_closer(d, ratio, mu, contrast, part_of(state, 2 * size, 3 * size), margin, all_near)
         if varies:
             panels_of_any(margin, contrast, side, panel, across)
+            sort_by_panel(panel, margin, start, where, variable)
+            sort_across(across, where, other)
+            values_for_any(coefficients, middle, narrowness, start, variable, other, lost)
         else:
             panels_of_one(margin, contrast, QUARTERS, side, panel)
-        sort_by_panel(panel, margin, start, where, variable)
-        if varies:
-            for i in range(size):
-                other[where[i]] = across[i]
-        for one in range(middle.size):
-            for first in range(start[one], start[one + 1], PART):
-                last = min(first + PART, start[one + 1])
-                for place in range(first, last):
-                    variable[place] = (variable[place] - middle[one]) * narrowness[one]
-                for k in range(0, INTEGRALS, 3):
-                    if varies:
-                        sum_rows(coefficients[one], k, variable[first:last], other[first:last], columns)
-                    else:
-                        set_row_11(coefficients[one], k, 0, variable[first:last], columns, SPACING)
-                write_rows(columns, INTEGRALS, SPACING, lost[6 * first:6 * last], False)
-        done = 0
-        for first in range(0, size, PART):
-            last = min(first + PART, size)
-            n = last - first
-            read_rows(lost, INTEGRALS, where[first:last], kappa[first:last], columns, SPACING)
-            done = take_onset_out(near, done, first, last, margin, contrast, columns, SPACING)
-            unserved += slip_rows(
-                d[first:last], dr[first:last], nu[first:last], level[first:last], contrast[first:last], l0[:n], l1[:n],
-                l2[:n], l3[:n], l4[:n], l5[:n], out[6 * (begin + first):6 * (begin + last)], streamed)
+            sort_by_panel(panel, margin, start, where, variable)
+            values_for_one(coefficients, middle, narrowness, start, variable, lost)
+        unserved += components(d, dr, nu, state, part_of(all_near, 0, found), where, lost,
+                               part_of(out, 6 * begin, 6 * end), streamed)
     return unserved
 
 
-def sum_rows(rows: Array, k: int, variable: Array, other: Array, columns: Array) -> None:
-    """Sum all rows of ``slip_tables.ROWS``, the highest power of the contrast first.
-
-    Parameters
-    ----------
-    rows : (6, terms) array
-        Coefficients of polynomials, highest power first [-].
-    k : int
-        The first of three polynomials [-].
-    variable, other : (n,) array
-        Place in the panel along margin and contrast [-].
-    columns : (6 SPACING,) array
-        To be filled: the first n of three columns [-].
-
-    Notes
-    -----
-    Source: the table.
-    """
-    set_rows_4_4(rows, k, 0, variable, other, columns, SPACING)
-    add_rows_7_7(rows, k, 8, variable, other, columns, SPACING)
-    add_rows_10_10(rows, k, 22, variable, other, columns, SPACING)
-    add_rows_11_11(rows, k, 42, variable, other, columns, SPACING)
-    add_rows_12_13(rows, k, 64, variable, other, columns, SPACING)
-    add_row_13(rows, k, 89, variable, other, columns, SPACING)
-
+ROWS = tuple(getattr(panel_rows, name) for name in dir(panel_rows) if name.startswith(("set_row", "add_row")))
+"""Every emitted sum of polynomials."""
 
 HELPERS: tuple[Callable[..., object], ...] = (
-    *OF_SHARES, onset_part, slip_rows, slip_state, set_row_11, set_rows_4_4, add_rows_7_7, add_rows_10_10,
-    add_rows_11_11, add_rows_12_13, add_row_13, look_closer, panels_of_any, panels_of_one, sort_by_panel,
-    take_onset_out, sum_rows)
+    *OF_SHARES, *ROWS, onset_part, slip_rows, slip_state, look_closer, panels_of_any, panels_of_one, sort_across,
+    sort_by_panel, take_onset_out, values_for_any, values_for_one, components)
 """What a compiler has to know before it compiles a loop."""

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     Places = NDArray[np.uint32]
 
 GROUP = 256
-"""Elements that are looked at together."""
+"""Elements that are looked at together, a byte for each: where eight bytes are zero none of them is special."""
 
 TOGETHER = 64
 """Special elements that are computed together."""
@@ -66,15 +66,19 @@ def look_closer(D33: Array, stress_ratio: Array, friction: Array, contrast: Arra
     ``slip_table``.
     """
     size, count, found = D33.size, 0, 0
-    special = np.zeros(GROUP, dtype=np.int64)
+    special = np.zeros(GROUP, dtype=np.uint8)
+    eights = special.view(np.uint64)
     for first in range(0, size, GROUP):
         last = min(first + GROUP, size)
         mu, eta, left = friction[first:last], contrast[first:last], margin[first:last]
         for i in range(last - first):
             special[i] = (abs(left[i]) < 1.01 * ZONE) | (abs(eta[i]) < DELICATE) | (not mu[i] > 0.0)
-        for i in range(last - first):
-            near[count] = first + i
-            count += special[i]
+        special[last - first:] = 0
+        for eight in range((last - first + 7) // 8):
+            if eights[eight]:
+                for i in range(8 * eight, min(8 * eight + 8, last - first)):
+                    near[count] = first + i
+                    count += special[i]
     d, ratio, mu = scratch_of(TOGETHER), scratch_of(TOGETHER), scratch_of(TOGETHER)
     used, left = scratch_of(TOGETHER), scratch_of(TOGETHER)
     for first in range(0, count, TOGETHER):
@@ -176,6 +180,26 @@ def sort_by_panel(panel: Panels, margin: Array, start: Index, where: Places, var
     for i in range(panel.size):
         where[i] += start[panel[i]]
         variable[where[i]] = abs(margin[i])
+
+
+def sort_across(across: Array, where: Places, other: Array) -> None:
+    """Bring the places along the contrast into sorted order too.
+
+    Parameters
+    ----------
+    across : (n,) array
+        Place in a panel of the contrast [-].
+    where : (n,) array of int
+        Sorted place of each element [-].
+    other : (places,) array
+        To be filled [-].
+
+    Notes
+    -----
+    Source: :func:`sort_by_panel`.
+    """
+    for i in range(where.size):
+        other[where[i]] = across[i]
 
 
 def take_onset_out(near: Index, done: int, first: int, last: int, margin: Array, contrast: Array,

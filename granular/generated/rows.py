@@ -5,7 +5,7 @@ Emitted by ``derivations write``; do not edit.
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -28,6 +28,24 @@ def scratch_of(size: int) -> Array:
         Whatever stood there.
     """
     return np.empty(size)
+
+
+def part_of(whole: Any, first: int, last: int) -> Any:
+    """Make a view of an array that a compiler need not count as a reference; the array has to outlive it.
+
+    Parameters
+    ----------
+    whole : (n,) array [-]
+        The array, of any type.
+    first, last : int
+        Where the view begins and ends, 0 <= first <= last <= n.
+
+    Returns
+    -------
+    part : (last - first,) array [-]
+        The view.
+    """
+    return whole[first:last]
 
 
 def aligned_frame() -> None:

@@ -89,7 +89,8 @@ def test_leading_coefficients_are_the_weights() -> None:
     assert [even_part(k)[0] for k in range(6)] == [at_equator ** (5 - k) * at_pole**k for k in range(6)]
 
 
-@pytest.mark.parametrize(("sizes", "first"), [*((one, True) for one in BEGINNINGS), *((one, False) for one in FOLLOWING)])
+@pytest.mark.parametrize(("sizes", "first"), [*((one, True) for one in BEGINNINGS),
+                                              *((one, False) for one in FOLLOWING)])
 def test_rows_of_panels(sizes: tuple[int, ...], first: bool) -> None:
     """Three polynomials against Horner's rule in fractions: a coefficient in the wrong half or row breaks it."""
     rows = [[sp.Rational((-1) ** i * (7 * k + i + 1), 8) for i in range(sum(sizes) + 2)] for k in range(3)]
@@ -98,8 +99,9 @@ def test_rows_of_panels(sizes: tuple[int, ...], first: bool) -> None:
     class Rows:
         """Coefficients as exact numbers, indexed like an array."""
 
-        def __getitem__(self, place: tuple[int, int]) -> sp.Rational:
-            return rows[place[0]][place[1]]
+        def __getitem__(self, place: tuple[int, int, int]) -> sp.Rational:
+            assert place[0] == 9
+            return rows[place[1]][place[2]]
 
     class Column(list[sp.Rational]):
         """One element, with the attribute that the loop asks for."""
@@ -116,17 +118,18 @@ def test_rows_of_panels(sizes: tuple[int, ...], first: bool) -> None:
             assert place.stop == place.start + 1
             return self.each[place.start // 5]
 
-    columns = Columns()
+    columns, middle, narrowness = Columns(), sp.Rational(1, 4), sp.Integer(3)
+    other = () if first and len(sizes) == 1 else (Column([y]),)
     expected = [sp.Integer(0) if first else sp.Rational(k + 1) for k in range(3)]
     for k in range(3):
         done = 2
         for size in sizes:
             total = sp.Integer(0)
             for coefficient in rows[k][done:done + size]:
-                total = total * x + coefficient
+                total = total * (x if other else (x - middle) * narrowness) + coefficient
             expected[k], done = expected[k] * y + total, done + size
-    other = () if first and len(sizes) == 1 else (Column([y]),)
-    getattr(panel_rows, name_of(sizes, first=first))(Rows(), 0, 2, Column([x]), *other, columns, 5)
+    between = other or (middle, narrowness)
+    getattr(panel_rows, name_of(sizes, first=first))(Rows(), 9, 0, 2, Column([x]), *between, columns, 5)
     assert [column[0] for column in columns.each] == expected
 
 
