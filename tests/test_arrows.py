@@ -37,8 +37,13 @@ def imports(path: Path, *, top_level: bool) -> Iterator[tuple[int, str]]:
     for node in nodes:
         if isinstance(node, ast.Import):
             yield from ((node.lineno, alias.name.split(".")[0]) for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
+        elif isinstance(node, ast.ImportFrom) and node.module and not _own(path, node.module):
             yield node.lineno, node.module.split(".")[0]
+
+
+def _own(path: Path, module: str) -> bool:
+    """Whether an emitted file takes something from another emitted one."""
+    return path.parent.name == "generated" and module.startswith("granular.generated.")
 
 
 def _eager(body: list[ast.stmt]) -> Iterator[ast.AST]:

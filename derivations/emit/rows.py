@@ -89,7 +89,7 @@ def read_rows(rows: Array, width: int, where: Places, factor: Array, columns: Ar
         All numbers of a row, one row after another.
     width : int
         Numbers in a row.
-    where : (n,) array of int
+    where : (n,) array of int [-]
         Which row each element has.
     factor : (n,) array [-]
         What its numbers are multiplied by.

@@ -11,7 +11,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 BlockFunction: TypeAlias = Callable[..., int]
-"""As the package describes: (n,) inputs, tables, (6 n,) out; returns the number of elements left as NaN."""
+"""As the package describes: (n,) inputs, tables, (6 n,) out, and for a loop whether results go past the caches; returns
+the number of elements left as NaN."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

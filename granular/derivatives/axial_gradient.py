@@ -114,8 +114,8 @@ def axial_gradient(
     Near the onset of sliding, 1 - kappa = delta, slopes by D33, stress ratio and friction grow like \\|delta\\|^(-1/6)
     (static: delta^(-5/6)). Accuracy: 1e-13 of the larger of the slope and the largest component, as long as stress
     ratio, branch lengths and onset are not closer than 1e-3 to where a slope becomes infinite; beside that, of the
-    largest slope of the element. Cost over that of the stiffness, values included: 1 to 4 with contact forces, 1.5 with
-    slip, 2.5 for static compliances; 3 to 7 for equal contacts, where next to nothing is computed and 36 numbers are
+    largest slope of the element. Cost over that of the stiffness, values included: 1 to 3 with contact forces, 2 with
+    slip, 2.5 for static compliances; 3 to 4 for equal contacts, where next to nothing is computed and 36 numbers are
     written in place of 6.
     Source: eqs (4), (7), and Figure 1(b) with (20)-(23), differentiated in ``derivations.gradients``.
 

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from granular.batch.engines import compiler_installed
 from granular.speed import contact_lists, effects, questions
 from granular.speed.errors_met import FEW, worst_error
 from granular.speed.interleaved import Way
-from granular.speed.limit import moved
+from granular.speed.limit import moved, moved_past
 from granular.speed.questions import Question
 from granular.speed.sample import POISSON, Sample, sample
 from granular.speed.ways import engines, operations_alone, results, slopes, values
@@ -78,9 +79,17 @@ def _against_limit(question: Question, name: str, wanted: float, size: int) -> l
     drawn, out = sample(size), results(size)
     question = replace(question, grains_differ=True)  # everything that a kernel takes is an array here
     return [Way(name="moving the same arrays", elements=size, call=moved(_read(question, drawn), out)),
+            *(_past_the_caches(_read(question, drawn), out) if size == LARGE else ()),
             *(operations_alone(question, size) if size == LARGE else ()),
             *(values(f"{name}, {engine}", question, drawn, out=out, engine=engine, threads=1,
                      wanted=wanted if engine != "numpy" and size == LARGE else None) for engine in engines())]
+
+
+def _past_the_caches(inputs: tuple[Array, ...], out: Array) -> tuple[Way, ...]:
+    """Moving arrays without reading first what is written; none without a compiler."""
+    if not compiler_installed():
+        return ()
+    return (Way(name="moving them past the caches", elements=inputs[0].size, call=moved_past(inputs, out)),)
 
 
 def _read(question: Question, drawn: Sample) -> tuple[Array, ...]:
@@ -100,8 +109,8 @@ def _slip(engine: str, size: int) -> list[Way]:
     drawn, out = sample(size), results(size)
     asked = (("kinetic", questions.KINETIC, None), ("slip, one friction", questions.SLIP, 2.5),
              ("slip, a friction each", questions.SLIP_EACH, 6.0))
-    return [values(name, question, drawn, out=out, engine=engine, threads=1, wanted=wanted)
-            for name, question, wanted in asked]
+    return [values(name, question, drawn, out=out, engine=engine, threads=1,
+                   wanted=None if engine == "numpy" else wanted) for name, question, wanted in asked]
 
 
 def _threads(question: Question, size: int) -> list[Way]:
@@ -118,7 +127,8 @@ def _slopes(question: Question, engine: str, size: int) -> list[Way]:
     rows = np.concatenate([found[0][..., None], found[1]], axis=-1).reshape(size, -1)
     return [values("values", question, drawn, out=results(size), engine=engine, threads=1),
             slopes("values and slopes", question, drawn, out=found, engine=engine, threads=1, wanted=4.0),
-            Way(name="moving what slopes move", elements=size, call=moved(_read(question, drawn), rows))]
+            Way(name="moving what slopes move", elements=size, call=moved(_read(question, drawn), rows)),
+            *_past_the_caches(_read(question, drawn), rows)]
 
 
 def _slopes_with_slip(size: int) -> list[Way]:

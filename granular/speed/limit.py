@@ -1,4 +1,4 @@
-"""The two limits of the machine: moving the same arrays without arithmetic, and as much arithmetic without memory."""
+"""The limits of the machine: moving the same arrays without arithmetic, and as much arithmetic without memory."""
 
 from __future__ import annotations
 
@@ -44,6 +44,61 @@ def moved(inputs: tuple[Array, ...], out: Array) -> Callable[[], object]:
             out[:, column] = inputs[column % len(inputs)]
 
     return copies
+
+
+def moved_past(inputs: tuple[Array, ...], out: Array) -> Callable[[], object]:
+    """The same, but results go past the caches, straight to memory: they are not read before they are written.
+
+    Parameters
+    ----------
+    inputs : tuple of 2 to 4 (n,) arrays
+        What is read [-].
+    out : (n, 6) or (n, 36) array
+        What is written [-], as fresh memory begins, at a multiple of 16 bytes.
+
+    Returns
+    -------
+    callable
+        Does it once; needs numba.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        numba is not installed.
+
+    Notes
+    -----
+    Source: ``granular.batch.compiled_rows``.
+    """
+    width, flat = out.shape[-1], out.reshape(-1)
+    loop, columns = _past(width), flat[:width * SPACING].copy()
+    return lambda: loop(inputs, columns, flat)
+
+
+@lru_cache(maxsize=2)
+def _past(width: int) -> Callable[..., None]:
+    import numba
+
+    from granular.batch.compiled_rows import row_functions
+
+    write_rows = row_functions()["write_rows"]
+
+    def loop(inputs: tuple[Array, ...], columns: Array, out: Array) -> None:
+        for start in range(0, inputs[0].size, ROWS):
+            stop = min(start + ROWS, inputs[0].size)
+            for i in range(stop - start):
+                total = 0.0
+                for given in inputs:
+                    total += given[start:stop][i]
+                columns[i] = total
+            write_rows(columns, width, SPACING, out[width * start:width * stop], True)
+
+    made: Callable[..., None] = numba.njit(nogil=True)(loop)
+    return made
+
+
+ROWS, SPACING = 32, 40
+"""Rows that are written together, and numbers from one of their columns to the next [-]."""
 
 
 def _wide(inputs: tuple[Array, ...], width: int, out: Array) -> None:
