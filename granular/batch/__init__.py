@@ -19,8 +19,8 @@ plain Python loop that numba compiles where it is installed. A loop takes one ar
 the caches; it works in passes over some hundred elements, whose results stand in columns until
 :mod:`granular.batch.compiled_rows` weaves them into rows. Both do the same IEEE operations in the same order (no
 fast-math, no fused multiply-add), so that **both give the same bits**: which of them runs is a question of time alone.
-Each is loaded when it is first needed. The loop can also be compiled with products and sums fused, where a caller asks for
-the engine ``fused``: a little faster where arithmetic decides, the same bounds, other last bits.
+Each is loaded when it is first needed. The loop can also be compiled with products and sums fused, where a caller asks
+for the engine ``fused``: a little faster where arithmetic decides, the same bounds, other last bits.
 
 What the caller gets
 --------------------

@@ -83,7 +83,7 @@ def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *
     in_place = chosen is not Engine.NUMPY and all(argument.size == 1 or is_view(argument, shape) for argument in inputs)
     function, block = block_function(kernel, chosen), min(LONG_BLOCK if in_place else BLOCK[chosen], max(1, size))
     streamed = chosen is not Engine.NUMPY and out.nbytes >= STREAMED and out.ctypes.data % 16 == 0
-    lead = int(streamed and out.ctypes.data % 32 > 0)  # the other rows then begin where they are written fastest
+    lead = int(streamed and out.ctypes.data % 32 > 0 and width % 4 > 0)  # all other rows begin where stores are fastest
     how = () if chosen is Engine.NUMPY else (streamed,)
 
     def work(first: int, last: int) -> list[Index]:
