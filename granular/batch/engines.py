@@ -198,15 +198,35 @@ def _with_helpers(kernel: Kernel, *, fused: bool) -> BlockFunction:
     for helper in helpers:
         free = fused and helper not in exact
         known[helper.__name__] = numba.njit(fastmath=CONTRACT if free else False, error_model="numpy", nogil=True)(
-            _copy(helper, helper.__name__, known))
+            copy_knowing(helper, helper.__name__, known))
     files = {helper.__code__.co_filename for helper in helpers if isinstance(helper, FunctionType)}
     files.add(compiled_rows.__file__)
     digest = hashlib.sha256(b"".join(Path(file).read_bytes() for file in sorted(files))).hexdigest()[:16]
-    return _copy(loop, "_".join([loop.__name__, digest, *(["fused"] if fused else [])]), known)
+    return copy_knowing(loop, "_".join([loop.__name__, digest, *(["fused"] if fused else [])]), known)
 
 
-def _copy(function: Callable[..., Any], name: str, known: Mapping[str, object]) -> Callable[..., Any]:
-    """A function that finds other functions under the names that it calls."""
+def copy_knowing(function: Callable[..., Any], name: str, known: Mapping[str, object]) -> Callable[..., Any]:
+    """Copy a function so that it finds other functions under the names that it calls.
+
+    Parameters
+    ----------
+    function : callable
+        A plain function.
+    name : str
+        Name of the copy.
+    known : mapping
+        Functions by the names under which they are called.
+
+    Returns
+    -------
+    callable
+        The copy.
+
+    Raises
+    ------
+    TypeError
+        Something else than a plain function.
+    """
     if not isinstance(function, FunctionType):
         raise TypeError(f"{name} is no plain function")
     copy = FunctionType(function.__code__, {**function.__globals__, **known}, name, function.__defaults__)

@@ -9,6 +9,8 @@ from collections.abc import Callable
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from granular.generated.rows import aligned_frame
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -35,6 +37,7 @@ def stiffness_sums(l1: Array, l2: Array, l3: Array, n1: Array, n2: Array, n3: Ar
     -----
     Accuracy: about 1e-15 of the sum of magnitudes. Source: eqs (1) and (2).
     """
+    aligned_frame()  # there are more sums than registers: they stand on the stack
     size = kn.size
     for start in range(0, size, BLOCK):
         s0 = s1 = s2 = s3 = s4 = s5 = s6 = s7 = s8 = s9 = s10 = s11 = s12 = s13 = 0.0
@@ -100,9 +103,13 @@ def compiled_sums() -> Callable[..., None] | None:
         import numba
     except ImportError:
         return None
+    from granular.batch.compiled_rows import row_functions
+    from granular.batch.engines import copy_knowing
+
     njit: Callable[..., Callable[..., None]] = numba.njit
     freely = {"reassoc", "contract", "nsz"}
+    loop = copy_knowing(stiffness_sums, "stiffness_sums", row_functions())
     try:
-        return njit(stiffness_sums, cache=True, nogil=True, fastmath=freely)
+        return njit(loop, cache=True, nogil=True, fastmath=freely)
     except RuntimeError:  # there is no place to keep what was compiled
-        return njit(stiffness_sums, nogil=True, fastmath=freely)
+        return njit(loop, nogil=True, fastmath=freely)
