@@ -61,7 +61,7 @@ it are a power of two apart."""
 ROOM = 12 * 1024
 """Bytes that what is kept may take: it stays in the nearest cache beside what is read and written."""
 
-SHORT = 8
+SHORT = 12
 """Terms up to which even and odd powers of a polynomial are summed apart: there are too few polynomials beside it."""
 
 SIDE_BY_SIDE = 6

@@ -15,21 +15,6 @@ import numpy.typing as npt
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
-SHARE = np.array([
-    [34.42581677198594],
-    [7.510115621976816],
-    [15.3271637993778],
-    [12.983404091516944],
-    [12.372823066093193],
-    [11.504144503993611],
-    [10.582056867999349],
-    [9.570311938428365],
-    [8.437500007245387],
-    [7.124999999951793],
-    [5.500000000000125],
-    [3.0],
-])
-
 CUBIC = np.array([
     [0.0, -0.681114526638451, -0.6448530994941937, 1.3578204037912385, -1.1453090253436675, 0.0],
     [0.0, 1.6230495115734476, -2.0615131639337565, 1.0001308104875504, 0.9446767363215737, -2.82297396368279],
@@ -151,7 +136,18 @@ def slip_state(D33: Array, SR: Array, mu: Array, out: Array) -> int:
         rows[1] = over_roots*(-root_a + root_c)
         v = rows[1]
         square = v*v
-        growth, = polynomials(SHARE, square)
+        growth_of = square*square
+        growth_even = 7.510115621976816*growth_of + 12.983404091516944
+        growth_even = growth_even*growth_of + 11.504144503993611
+        growth_even = growth_even*growth_of + 9.570311938428365
+        growth_even = growth_even*growth_of + 7.124999999951793
+        growth_even = growth_even*growth_of + 3.0
+        growth_odd = 34.42581677198594*growth_of + 15.3271637993778
+        growth_odd = growth_odd*growth_of + 12.372823066093193
+        growth_odd = growth_odd*growth_of + 10.582056867999349
+        growth_odd = growth_odd*growth_of + 8.437500007245387
+        growth_odd = growth_odd*growth_of + 5.500000000000125
+        growth = growth_odd*square + growth_even
         rows[2] = growth*abs(v)/mu
         kappa = rows[2]
         rows[3] = 1 - kappa
