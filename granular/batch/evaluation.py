@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 BLOCK = {Engine.NUMPY: 4096, Engine.COMPILED: 1 << 15, Engine.FUSED: 1 << 15}
 """Elements at a time: as many as stay in cache with what is computed from them, or with their arguments alone."""
 
-LONG_BLOCK = 1 << 16
+LONG_BLOCK = 1 << 17
 """Elements at a time of a compiled loop whose arguments are single values or read where they are: blocks cost little
-then, and partial slip sorts as many together."""
+then, and partial slip sorts many elements together."""
 
 SHARE = 1 << 18
 """Elements that are worth a thread of their own."""
@@ -89,22 +89,23 @@ def evaluate_batch(kernel: Kernel, inputs: Sequence[NDArray[Any]], out: Array, *
     def work(first: int, last: int) -> list[Index]:
         readers = [block_reader(argument, shape, block) for argument in inputs]
         unserved = []
-        for start in range(first, last, block):
-            stop = min(start + block, last)
+        start = first
+        while start < last:
+            stop = lead if start < lead else min(start + block, last)
             here = flat[width * start:width * stop]
             if function(*(read(start, stop) for read in readers), *kernel.tables, here, *how):
                 unserved.append(start + np.flatnonzero(np.isnan(here[::width])))
+            start = stop
         return unserved
 
-    parts = work(0, lead)
-    bounds = [(lead + first, lead + last) for first, last in shares(size - lead, block, threads)]
+    bounds = [(lead + first if first else 0, lead + last) for first, last in shares(size - lead, block, threads)]
     if len(bounds) == 1:
-        parts += work(*bounds[0])
+        parts = work(*bounds[0])
     else:
         from concurrent.futures import ThreadPoolExecutor
 
         with ThreadPoolExecutor(len(bounds)) as pool:
-            parts += [part for found in pool.map(lambda pair: work(*pair), bounds) for part in found]
+            parts = [part for found in pool.map(lambda pair: work(*pair), bounds) for part in found]
     return np.concatenate(parts) if parts else np.empty(0, dtype=np.intp)
 
 
