@@ -90,8 +90,7 @@ def sum_assignments(sums: tuple[sp.Symbol, ...], density: tuple[sp.Symbol, ...])
 
 def ratio_assignments() -> Assignments:
     """Tangential over normal stiffness and what is left to one, of which the second keeps its digits near nu = 0."""
-    return ((complement, 2 - nu), (over_complement, 1 / complement), (one_minus_lam, nu * over_complement),
-            (lam, 1 - one_minus_lam))
+    return ((complement, 2 - nu), (one_minus_lam, nu / complement), (lam, 1 - one_minus_lam))
 
 
 def fabric_assignments() -> Assignments:

@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``kinematic_constant``; do not edit.
 Source: (2), (4), (7) of Pan & Dong (1999).
 Domain: kinematic_constant: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5.
-Operations: 58 (339 in the outputs as derived).
+Operations: 57 (339 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def kinematic_constant(D33: Array, Dr33: Array, nu: Array, out: Array) -> int:
     unserved : int
         How many elements are not served.
 
-    Operations: 58.
+    Operations: 57.
     """
     rows = out.reshape(-1, 6)
     with np.errstate(all="ignore"):  # what is not served may be anything
@@ -59,9 +59,8 @@ def kinematic_constant(D33: Array, Dr33: Array, nu: Array, out: Array) -> int:
         sum1 = density1*square0 + density2*square1 + density3*square2
         sum2 = density2*square0 + density3*square1 + density4*square2
         complement = 2 - nu
-        over_complement = 1/complement
         served = (e0*half_e1 >= 0.0) & (square1 > 0.0) & (nu >= 0.0) & (nu <= 0.5)
-        one_minus_lam = np.where(served, nu*over_complement, np.nan)
+        one_minus_lam = np.where(served, nu/complement, np.nan)
         lam = 1 - one_minus_lam
         four_r1 = 4*sum1
         both = sum0 + sum1

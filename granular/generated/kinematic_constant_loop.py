@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``kinematic_constant``; do not edit.
 Source: (2), (4), (7) of Pan & Dong (1999).
 Domain: kinematic_constant: D33 >= -1.0, D33 <= 2.0, Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5.
-Operations: 58 (339 in the outputs as derived).
+Operations: 57 (339 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def kinematic_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Arra
     unserved : int
         How many elements are not served.
 
-    Operations: 58.
+    Operations: 57.
     """
     level = 1/221760
     scratch = scratch_of(816)
@@ -79,10 +79,9 @@ def kinematic_constant(all_D33: Array, all_Dr33: Array, all_nu: Array, out: Arra
             sum1 = density1*square0 + density2*square1 + density3*square2
             sum2 = density2*square0 + density3*square1 + density4*square2
             complement = 2 - nu
-            over_complement = 1/complement
             served = (e0*half_e1 >= 0.0) & (square1 > 0.0) & (nu >= 0.0) & (nu <= 0.5)
             unserved += not served
-            one_minus_lam = nu*over_complement if served else np.nan
+            one_minus_lam = nu/complement if served else np.nan
             lam = 1 - one_minus_lam
             four_r1 = 4*sum1
             both = sum0 + sum1

@@ -3,7 +3,7 @@
 Emitted by ``derivations write`` from the derivation ``slip_table``; do not edit.
 Source: (20), (21), (23) of Pan & Dong (1999).
 Domain: slip_state: D33 >= -1.0, D33 <= 2.0, a <= 9*c, c <= 6*a; slip_rows: Dr33 > -1.0, Dr33 < 2.0, nu >= 0.0, nu <= 0.5, level > 0.0, lost0 >= 0.0.
-Operations: 414 (7736 in the outputs as derived).
+Operations: 413 (7736 in the outputs as derived).
 """
 
 from __future__ import annotations
@@ -184,7 +184,7 @@ def slip_rows(D33: Array, Dr33: Array, nu: Array, level: Array, v: Array, lost0:
     unserved : int
         How many elements are not served.
 
-    Operations: 318.
+    Operations: 317.
     """
     rows = out.reshape(-1, 6)
     with np.errstate(all="ignore"):  # what is not served may be anything
@@ -217,9 +217,8 @@ def slip_rows(D33: Array, Dr33: Array, nu: Array, level: Array, v: Array, lost0:
         taken1 = lost_density1*square0 + lost_density2*square1 + lost_density3*square2
         taken2 = lost_density2*square0 + lost_density3*square1 + lost_density4*square2
         complement = 2 - nu
-        over_complement = 1/complement
         served = (Dr33 > -1.0) & (Dr33 < 2.0) & (nu >= 0.0) & (nu <= 0.5) & (level > 0.0) & (lost0 >= 0.0)
-        one_minus_lam = np.where(served, nu*over_complement, np.nan)
+        one_minus_lam = np.where(served, nu/complement, np.nan)
         lam = 1 - one_minus_lam
         kept0 = sum0 - taken0
         kept1 = sum1 - taken1
