@@ -9,9 +9,11 @@ import mpmath
 import pytest
 import sympy as sp
 
+from derivations import batch_constant
 from derivations.emit.panels import BEGINNINGS, FOLLOWING, name_of, panel_module
 from derivations.slip_table import even_part, onset_part, singular_moments
 from derivations.symbols import eta, margin, onset_strength
+from granular.batch import slip_layout
 from granular.generated import panel_rows
 from granular.generated.slip_table import onset_part as emitted_part
 
@@ -131,6 +133,11 @@ def test_rows_of_panels(sizes: tuple[int, ...], first: bool) -> None:
     between = other or (middle, narrowness)
     getattr(panel_rows, name_of(sizes, first=first))(Rows(), 9, 0, 2, Column([x]), *between, columns, 5)
     assert [column[0] for column in columns.each] == expected
+
+
+def test_tables_and_components_count_in_the_same_unit() -> None:
+    """A table that is multiplied by another number than the emitted components expect."""
+    assert batch_constant.DENOMINATOR == slip_layout.DENOMINATOR
 
 
 def test_emitting_rows_twice_gives_the_same_text() -> None:

@@ -12,6 +12,7 @@ from granular.batch import constant, engines, kinetic
 from granular.batch.blocks import block_reader
 from granular.batch.engines import Engine, block_function, choose_engine
 from granular.batch.evaluation import BLOCK, evaluate_batch, shares
+from granular.derivatives import kernels as slopes
 from granular.errors import UnknownChoice
 from granular.fabric import AxialFabric
 from granular.generated.kinematic_constant import kinematic_constant
@@ -65,6 +66,27 @@ def test_engines_give_the_same_bits(kernel):
     plain = np.empty(6 * 300)
     assert kernel.loop()(*(x[-300:] for x in inputs), plain, False) == 0
     np.testing.assert_array_equal(plain.reshape(-1, 6), by_numpy[-300:])
+
+
+ENDS = {"D33": (-1.0, 2.0), "Dr33": (-1.0, 2.0), "poisson_ratio": (0.0, 0.5)}
+
+
+@pytest.mark.parametrize("engine", list(Engine))
+def test_the_domain_ends_where_it_is_said_to(engine):
+    # a product that tells the domain and is rounded to zero, overflows to the other sign, or has two negative factors
+    good = {"D33": 0.3, "Dr33": -0.3, "poisson_ratio": 0.21}
+    for kernel in (constant.KINEMATIC, slopes.CONSTANT):
+        for name, ends in ENDS.items():
+            open_ended = name == "Dr33"
+            values = [value for end in ends for away in (-math.inf, math.inf)
+                      for value in (math.nextafter(end, away), end)]
+            values += [sign * value for sign in (1.0, -1.0) for value in (5e-324, 1e-20, 3.0, 1e100, 1e200, 1.7e308)]
+            columns = {key: np.full(len(values), value) for key, value in good.items()} | {name: np.array(values)}
+            out = np.empty((len(values), 6 if kernel is constant.KINEMATIC else 36))
+            unserved = evaluate_batch(kernel, [columns[key] for key in kernel.inputs], out, engine=engine)
+            inside = [ends[0] < value < ends[1] if open_ended else ends[0] <= value <= ends[1] for value in values]
+            np.testing.assert_array_equal(unserved, np.flatnonzero(~np.array(inside)), err_msg=name)
+            assert np.isfinite(out[inside]).all()
 
 
 @pytest.mark.parametrize("kernel", KERNELS, ids=lambda kernel: kernel.name)
